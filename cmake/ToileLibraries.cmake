@@ -1,0 +1,59 @@
+# Third-party libraries, each as one interface target that a package names in its USES_LIBRARIES.
+# Their headers are system headers, so that our warnings are about our code.
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(Trilinos 13 REQUIRED COMPONENTS Teuchos Tpetra Belos Amesos2 Thyra NOX Sacado)
+
+function(toile_library name)
+  cmake_parse_arguments(arg "" "" "INCLUDE;LINK" ${ARGN})
+  add_library(toile_lib_${name} INTERFACE)
+  target_include_directories(toile_lib_${name} SYSTEM INTERFACE ${arg_INCLUDE})
+  target_link_libraries(toile_lib_${name} INTERFACE ${arg_LINK})
+endfunction()
+
+toile_library(mpi INCLUDE ${MPI_CXX_INCLUDE_DIRS} LINK MPI::MPI_CXX)
+toile_library(teuchos INCLUDE ${Trilinos_INCLUDE_DIRS}
+  LINK trilinos_teuchosparameterlist trilinos_teuchoscomm trilinos_teuchosparser trilinos_teuchoscore MPI::MPI_CXX)
+toile_library(sacado INCLUDE ${Trilinos_INCLUDE_DIRS} LINK trilinos_sacado trilinos_teuchoscore)
+toile_library(tpetra INCLUDE ${Trilinos_INCLUDE_DIRS}
+  LINK trilinos_tpetra trilinos_tpetraclassic trilinos_kokkoskernels trilinos_kokkoscontainers trilinos_kokkoscore
+       trilinos_teuchoskokkoscomm trilinos_teuchoskokkoscompat trilinos_teuchosnumerics toile_lib_teuchos)
+toile_library(nox INCLUDE ${Trilinos_INCLUDE_DIRS}
+  LINK trilinos_locathyra trilinos_loca trilinos_nox trilinos_belostpetra trilinos_belos trilinos_amesos2
+       trilinos_thyratpetra trilinos_thyracore trilinos_rtop toile_lib_tpetra)
+
+find_path(EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
+toile_library(eigen INCLUDE ${EIGEN_INCLUDE})
+
+find_path(METIS_INCLUDE metis.h REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+toile_library(metis INCLUDE ${METIS_INCLUDE} LINK ${METIS_LIBRARY})
+
+find_path(MUMPS_INCLUDE dmumps_c.h REQUIRED)
+find_library(MUMPS_LIBRARY dmumps REQUIRED)
+find_library(MUMPS_COMMON_LIBRARY mumps_common REQUIRED)
+toile_library(mumps INCLUDE ${MUMPS_INCLUDE} LINK ${MUMPS_LIBRARY} ${MUMPS_COMMON_LIBRARY} MPI::MPI_C)
+
+find_library(OPENBLAS_LIBRARY NAMES openblas PATH_SUFFIXES openblas-pthread REQUIRED)
+find_path(OPENBLAS_INCLUDE cblas.h PATH_SUFFIXES openblas-pthread x86_64-linux-gnu/openblas-pthread REQUIRED)
+toile_library(openblas INCLUDE ${OPENBLAS_INCLUDE} LINK ${OPENBLAS_LIBRARY})
+
+if(TOILE_ENABLE_BODY)
+  find_package(CGAL REQUIRED QUIET)
+  find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  find_library(SUITESPARSE_CONFIG_LIBRARY suitesparseconfig REQUIRED)
+  find_library(GSL_LIBRARY gsl REQUIRED)
+  find_path(GSL_INCLUDE gsl/gsl_spline.h REQUIRED)
+  toile_library(cgal LINK CGAL::CGAL)
+  toile_library(cholmod INCLUDE ${CHOLMOD_INCLUDE} LINK ${CHOLMOD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
+  toile_library(gsl INCLUDE ${GSL_INCLUDE} LINK ${GSL_LIBRARY})
+endif()
+
+if(TOILE_ENABLE_RESULT)
+  find_library(EXODUS_LIBRARY exoIIv2c REQUIRED)
+  find_path(EXODUS_INCLUDE exodusII.h REQUIRED)
+  find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/openmpi REQUIRED)
+  find_library(HDF5_LIBRARY NAMES hdf5 hdf5_openmpi PATH_SUFFIXES hdf5/openmpi REQUIRED)
+  toile_library(exodus INCLUDE ${EXODUS_INCLUDE} LINK ${EXODUS_LIBRARY})
+  toile_library(hdf5 INCLUDE ${HDF5_INCLUDE} LINK ${HDF5_LIBRARY} MPI::MPI_C)
+endif()

@@ -1,0 +1,28 @@
+# Switches of the build. Optional packages are off only when somebody asks for it.
+option(TOILE_ENABLE_TESTS "Build the tests" ON)
+option(TOILE_ENABLE_BENCHMARKS "Build the benchmarks" ON)
+option(TOILE_ENABLE_BODY "Build the body and contact packages (needs CGAL)" ON)
+option(TOILE_ENABLE_RESULT "Build the result package (needs Exodus and HDF5)" ON)
+option(TOILE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
+option(TOILE_NATIVE "Tune the code for the processor it is built on" ON)
+set(TOILE_SANITIZERS "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+
+add_library(toile_options INTERFACE)
+# GCC 12 reports its own vector intrinsics as uninitialized (GCC bug 105593).
+target_compile_options(toile_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Wno-maybe-uninitialized)
+if(TOILE_WARNINGS_AS_ERRORS)
+  target_compile_options(toile_options INTERFACE -Werror)
+endif()
+if(TOILE_NATIVE)
+  # The ABI of Eigen types depends on the vector width: one setting for every target.
+  target_compile_options(toile_options INTERFACE -march=native)
+endif()
+if(TOILE_SANITIZERS)
+  target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZERS})
+endif()
+
+find_program(TOILE_CCACHE ccache)
+if(TOILE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${TOILE_CCACHE}")
+endif()

@@ -1,0 +1,43 @@
+# toile_package(<name> USES <packages...> USES_LIBRARIES <third-party...> PRIVATE_LIBRARIES <third-party...>)
+#
+# PRIVATE_LIBRARIES are used in sources only; their compile options do not reach other packages.
+# One static library toile_<name> from src/*.cpp. A source or header of the package may include
+# headers of the packages in USES and of no other: configuring fails on any other direction.
+function(toile_package name)
+  cmake_parse_arguments(arg "" "" "USES;USES_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp")
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.hpp")
+  foreach(file IN LISTS files)
+    file(STRINGS "${file}" includes REGEX "^ *#include \"toile/")
+    foreach(line IN LISTS includes)
+      string(REGEX REPLACE ".*\"toile/([a-z]+)/.*" "\\1" used "${line}")
+      if(NOT used STREQUAL name AND NOT used IN_LIST arg_USES)
+        message(FATAL_ERROR "${file} includes a header of package '${used}', "
+          "but package '${name}' declares only: ${arg_USES}. See ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt")
+      endif()
+    endforeach()
+  endforeach()
+  if(NOT sources)
+    add_library(toile_${name} INTERFACE)
+    target_include_directories(toile_${name} INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    list(TRANSFORM arg_USES_LIBRARIES PREPEND toile_lib_)
+    target_link_libraries(toile_${name} INTERFACE ${arg_USES_LIBRARIES} toile_options)
+    return()
+  endif()
+  add_library(toile_${name} STATIC ${sources})
+  target_include_directories(toile_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include")
+  list(TRANSFORM arg_USES PREPEND toile_)
+  list(TRANSFORM arg_USES_LIBRARIES PREPEND toile_lib_)
+  list(TRANSFORM arg_PRIVATE_LIBRARIES PREPEND toile_lib_)
+  target_link_libraries(toile_${name} PRIVATE ${arg_PRIVATE_LIBRARIES})
+  target_link_libraries(toile_${name} PUBLIC ${arg_USES} ${arg_USES_LIBRARIES} toile_options)
+  set_property(GLOBAL APPEND PROPERTY TOILE_PACKAGES ${name})
+endfunction()
+
+# Adds packages/<name>, unless it was switched off by TOILE_ENABLE_<NAME>.
+function(toile_add_package name)
+  string(TOUPPER "TOILE_ENABLE_${name}" switch)
+  if(NOT DEFINED ${switch} OR ${switch})
+    add_subdirectory(packages/${name})
+  endif()
+endfunction()

@@ -1,0 +1,35 @@
+# toile_test(<name> SOURCES <files...> USES <packages...> [RANKS 1 3] [LABELS ...] [TIMEOUT s])
+#
+# One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
+# under mpirun, and its main initialises MPI. Label "fast" marks what the sanitizer build runs.
+if(TOILE_ENABLE_TESTS)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+function(toile_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;USES;RANKS;LABELS" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  list(TRANSFORM arg_USES PREPEND toile_)
+  target_link_libraries(${name} PRIVATE ${arg_USES} GTest::gtest GTest::gmock toile_options)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
+  target_compile_definitions(${name} PRIVATE TOILE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT arg_RANKS)
+    target_link_libraries(${name} PRIVATE GTest::gtest_main)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
+      ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1")
+    return()
+  endif()
+  target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test/mpi_main.cpp")
+  target_link_libraries(${name} PRIVATE toile_lib_tpetra)
+  foreach(ranks IN LISTS arg_RANKS)
+    add_test(NAME ${name}_np${ranks}
+      COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${ranks} $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}_np${ranks} PROPERTIES TIMEOUT ${arg_TIMEOUT} PROCESSORS ${ranks} LABELS "${arg_LABELS}"
+      ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1")
+  endforeach()
+endfunction()

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace toile::base {
+
+using Reals = std::vector<double>;
+using Texts = std::vector<std::string>;
+/// std::monostate: no default, the parameter is required.
+using Value = std::variant<std::monostate, double, int, bool, std::string, Reals, Texts>;
+
+enum class Type { real, integer, flag, text, reals, texts };
+
+/// Allowed interval of a real, an integer or each entry of an array of reals. Open ends are excluded.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_open = false;
+  bool upper_open = false;
+
+  bool contains(double value) const;
+  std::string text() const;  ///< e.g. "> 0", "0 <= value <= 1"; empty if unbounded
+
+  static Range any() { return {}; }
+  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true, false}; }
+  static Range non_negative() { return {0.0, std::numeric_limits<double>::infinity(), false, false}; }
+  static Range at_least(double lower) { return {lower, std::numeric_limits<double>::infinity(), false, false}; }
+  static Range between(double lower, double upper) { return {lower, upper, false, false}; }
+};
+
+inline const Value required = std::monostate{};
+
+/// One parameter, declared once: the validator and the input reference are both made from it.
+struct Parameter {
+  std::string name;
+  Type type;
+  std::string unit;  ///< empty: dimensionless
+  std::string text;
+  Value fallback = required;  ///< default value
+  Range range = Range::any();
+  Texts choices = {};      ///< texts only: the allowed words (empty: any)
+  bool may_table = false;  ///< a real that may also be given as a list {position, value} along the panel
+};
+
+/// Description of one parameter list: its parameters and the lists inside it.
+class Spec {
+ public:
+  Spec() = default;
+  Spec(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+
+  Spec& real(const std::string& name, const std::string& unit, const std::string& text, Value fallback = required,
+             Range range = Range::any());
+  Spec& integer(const std::string& name, const std::string& text, Value fallback = required,
+                Range range = Range::any());
+  Spec& flag(const std::string& name, const std::string& text, Value fallback = required);
+  Spec& word(const std::string& name, const std::string& text, Value fallback = required);
+  Spec& choice(const std::string& name, const std::string& text, Texts choices, Value fallback = required);
+  Spec& reals(const std::string& name, const std::string& unit, const std::string& text, Value fallback = required,
+              Range range = Range::any());
+  Spec& words(const std::string& name, const std::string& text, Value fallback = required);
+  Spec& add(Parameter parameter);
+
+  /// A list with a fixed name inside this one. An optional list that is missing is not built at all.
+  Spec& list(Spec spec, bool is_required = false);
+  /// Any number of lists with free names inside this one, all of the same description; at least `least` of them.
+  Spec& entries(Spec spec, int least = 0);
+  /// The text parameter `selector` picks which further parameters and lists are valid (for instance "type").
+  Spec& variant(const std::string& selector, const std::string& text, std::vector<Spec> variants,
+                Value fallback = required);
+
+  const std::string& name() const { return name_; }
+  const std::string& text() const { return text_; }
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  const std::vector<std::pair<Spec, bool>>& lists() const { return lists_; }
+  const std::shared_ptr<Spec>& entry() const { return entry_; }
+  int least_entries() const { return least_entries_; }
+  const std::string& selector() const { return selector_; }
+  const std::vector<Spec>& variants() const { return variants_; }
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<Parameter> parameters_;
+  std::vector<std::pair<Spec, bool>> lists_;  ///< with: is it required
+  std::shared_ptr<Spec> entry_;
+  int least_entries_ = 0;
+  std::string selector_;
+  std::vector<Spec> variants_;
+};
+
+/// A validated list: every name in it is declared, every value has its type and range, defaults are filled in.
+/// Cheap to copy (shares the data). Reading an undeclared name is our own bug (assert).
+class List {
+ public:
+  double real(const std::string& name) const;
+  int integer(const std::string& name) const;
+  bool flag(const std::string& name) const;
+  const std::string& word(const std::string& name) const;
+  const Reals& reals(const std::string& name) const;
+  const Texts& words(const std::string& name) const;
+
+  bool has_list(const std::string& name) const;
+  List list(const std::string& name) const;   ///< the list of a fixed name; it must be present
+  std::vector<List> entries() const;          ///< the lists with free names, in the order of the file
+  bool has_table(const std::string& name) const;  ///< a `may_table` real was given as a table
+  /// Rows (position, value) of such a table, positions strictly increasing.
+  std::vector<std::pair<double, double>> table(const std::string& name) const;
+  bool given(const std::string& name) const;  ///< written in the file, not filled in by default
+
+  const std::string& name() const;
+  std::string path() const;  ///< "scene > Panels > front"
+  const std::string& file() const;
+
+  /// Throws InputError that names file, list, parameter, what was found and `problem` (what is allowed).
+  [[noreturn]] void fail(const std::string& parameter, const std::string& problem) const;
+
+  struct Data;
+  explicit List(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Reads a Teuchos XML file. Throws InputError (missing file, XML error with its line).
+/// Then validates it against `spec`, recursively, before anything is built; collects every problem it finds in one
+/// InputError: unknown name (with the nearest valid one and the list of all), wrong type, out of range, missing.
+List read_xml(const std::string& file, const Spec& spec);
+
+/// Same for a list that is already in memory; `file` is only named in messages.
+List validate(const Teuchos::ParameterList& list, const Spec& spec, const std::string& file);
+
+/// The one of `valid` that is closest to `name` by edit distance; empty if none is near.
+std::string nearest_name(const std::string& name, const Texts& valid);
+
+/// Input reference of `spec` as Markdown (doc/) or plain text (`toile describe`).
+std::string describe_markdown(const Spec& spec);
+std::string describe_text(const Spec& spec);
+
+}  // namespace toile::base

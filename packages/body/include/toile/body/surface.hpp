@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace toile::body {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// Signed distance to the body at one point, from one smooth function: normal = grad gap.
+struct SurfacePoint {
+  double gap = 0.0;             ///< mm, positive outside
+  Vec3 normal = Vec3::Zero();   ///< outward unit normal at the closest point, = gradient of the gap
+  Mat3 hessian = Mat3::Zero();  ///< second derivative of the gap, 1/mm
+  Vec3 closest = Vec3::Zero();  ///< closest point on the smooth surface, mm
+  bool found = false;           ///< false: the point is out of reach (see Surface::reach)
+};
+
+/// Triangles, for output and for import.
+struct TriangleMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
+};
+
+/// The rigid body's smooth surface. Thread-safe queries.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// Closest point and derivatives. Points further than reach() may be answered with found = false and a gap that is a
+  /// lower bound of the distance.
+  virtual SurfacePoint closest(const Vec3& point) const = 0;
+  virtual double reach() const = 0;
+  /// Triangles that show the surface (results, pictures). `size`: wanted edge length, mm; imported bodies return their
+  /// own triangles.
+  virtual TriangleMesh triangles(double size) const = 0;
+  /// One line for the run's summary: kind, size, quality figures.
+  virtual std::string summary() const = 0;
+};
+
+}  // namespace toile::body

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "toile/body/body.hpp"
+#include "toile/body/import.hpp"
+#include "toile/body/level_set.hpp"
+
+namespace toile::body {
+namespace {
+
+using base::List;
+
+Span read_span(const List& list) {
+  const Span span{list.real("bottom"), list.real("top")};
+  if (span.top <= span.bottom) {
+    list.fail("top", "must be above bottom");
+  }
+  return span;
+}
+
+SurfacePtr make_leg(const List& list) {
+  std::vector<double> levels, radii;
+  for (const std::string name : {"ankle", "calf", "knee", "thigh"}) {
+    if (!levels.empty() && list.real(name + " level") <= levels.back()) {
+      list.fail(name + " level", "must be above the level before it (ankle, calf, knee, thigh)");
+    }
+    levels.push_back(list.real(name + " level"));
+    radii.push_back(list.real(name + " girth") / (2.0 * M_PI));
+  }
+  return revolution(spline_profile(levels, radii, LowerEnd::mirrored), read_span(list), "leg");
+}
+
+SurfacePtr make_profile(const List& list) {
+  const auto& levels = list.reals("levels");
+  if (levels.size() < 2 || std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end()) {
+    list.fail("levels", "needs two or more heights in increasing order");
+  }
+  if (list.reals("radii").size() != levels.size()) {
+    list.fail("radii", "needs one radius for each of the " + std::to_string(levels.size()) + " levels");
+  }
+  return revolution(spline_profile(levels, list.reals("radii")), {levels.front(), levels.back()}, "profile");
+}
+
+Vec3 read_point(const List& list, const std::string& name) {
+  const auto& values = list.reals(name);
+  if (values.size() != 3) {
+    list.fail(name, "needs three values x, y, z");
+  }
+  return {values[0], values[1], values[2]};
+}
+
+Region read_reach(const List& list) {
+  Region region;
+  region.lower.z() = list.real("bottom");
+  region.upper.z() = list.real("top");
+  if (list.given("lower corner")) {
+    region.lower = region.lower.cwiseMax(read_point(list, "lower corner"));
+  }
+  if (list.given("upper corner")) {
+    region.upper = region.upper.cwiseMin(read_point(list, "upper corner"));
+  }
+  if (list.given("seed")) {
+    region.seed = read_point(list, "seed");
+  }
+  return region;
+}
+
+ImportOptions read_import_options(const List& list) {
+  ImportOptions options;
+  options.scale = list.real("scale");
+  const auto& heights = list.reals("height range");
+  if (heights.size() != 2 || heights[0] >= heights[1]) {
+    list.fail("height range", "needs two values, the least and the greatest height");
+  }
+  options.least_height = heights[0];
+  options.greatest_height = heights[1];
+  options.closed = list.flag("closed");
+  options.repair_orientation = list.flag("repair orientation");
+  return options;
+}
+
+SurfacePtr make_imported(const List& list, const Region* region) {
+  namespace fs = std::filesystem;
+  const std::string file = (fs::path(list.file()).parent_path() / list.word("file")).lexically_normal().string();
+  Import import = import_body(file, read_import_options(list));
+  Region reach;
+  if (list.has_list("Reach")) {
+    reach = read_reach(list.list("Reach"));
+  } else if (region != nullptr) {
+    reach = *region;
+  }
+  const std::size_t all = import.mesh.triangles.size();
+  TriangleMesh mesh = clip(import.mesh, reach);
+  if (mesh.triangles.empty()) {
+    list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
+  }
+  std::string name = fs::path(file).filename().string() + ": " + std::to_string(mesh.triangles.size()) + " of " +
+                     std::to_string(all) + " triangles in reach";
+  if (!import.notes.empty()) {
+    name += ", " + import.notes;
+  }
+  if (list.word("surface") == "facets") {
+    return facet_surface(std::move(mesh), name);
+  }
+  return level_set(std::move(mesh), {list.real("cell"), list.real("smoothing")}, name);
+}
+
+SurfacePtr make_cone(const List& list) {
+  const Span span = read_span(list);
+  const double radius = list.real("radius");
+  const double slope = list.real("slope");
+  if (radius + slope * span.bottom <= 0.0 || radius + slope * span.top <= 0.0) {
+    list.fail("slope", "the radius must stay positive between bottom and top");
+  }
+  return revolution(linear_profile(radius, slope), span, "cone");
+}
+
+SurfacePtr make_cosine(const List& list) {
+  if (std::abs(list.real("amplitude")) >= list.real("radius")) {
+    list.fail("amplitude", "its magnitude must be smaller than the radius");
+  }
+  return revolution(cosine_profile(list.real("radius"), list.real("amplitude"), list.real("period")), read_span(list),
+                    "cosine body of revolution");
+}
+
+}  // namespace
+
+SurfacePtr make_surface(const List& list, const Region* region) {
+  const std::string& type = list.word("type");
+  if (type == "leg") return make_leg(list);
+  if (type == "cylinder") return revolution(linear_profile(list.real("radius"), 0.0), read_span(list), "cylinder");
+  if (type == "elliptic cylinder") return elliptic_cylinder(list.real("a"), list.real("b"), read_span(list));
+  if (type == "cone") return make_cone(list);
+  if (type == "ellipsoid") return ellipsoid(list.real("radius"), list.real("half height"));
+  if (type == "sphere") return ellipsoid(list.real("radius"), list.real("radius"));
+  if (type == "cosine") return make_cosine(list);
+  if (type == "profile") return make_profile(list);
+  return make_imported(list, region);
+}
+
+}  // namespace toile::body

@@ -1,0 +1,65 @@
+#include "mesh_geometry.hpp"
+
+#include <Eigen/Geometry>
+
+namespace toile::body {
+
+std::vector<Vec3> area_vectors(const TriangleMesh& mesh) {
+  std::vector<Vec3> vectors;
+  vectors.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    vectors.push_back((mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a));
+  }
+  return vectors;
+}
+
+std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 a = mesh.vertices[t[(i + 1) % 3]] - mesh.vertices[t[i]];
+      const Vec3 b = mesh.vertices[t[(i + 2) % 3]] - mesh.vertices[t[i]];
+      const double weight = a.squaredNorm() * b.squaredNorm();
+      if (weight > 0.0) {
+        normals[t[i]] += a.cross(b) / weight;
+      }
+    }
+  }
+  for (Vec3& normal : normals) {
+    normal.normalize();
+  }
+  return normals;
+}
+
+std::vector<double> vertex_areas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  const auto vectors = area_vectors(mesh);
+  for (std::size_t t = 0; t < vectors.size(); ++t) {
+    for (const int vertex : mesh.triangles[t]) {
+      areas[vertex] += vectors[t].norm() / 6.0;
+    }
+  }
+  return areas;
+}
+
+std::vector<char> border_vertices(const TriangleMesh& mesh) {
+  std::vector<char> border(mesh.vertices.size(), 0);
+  for (const MeshEdge& edge : mesh_edges(mesh.triangles)) {
+    if (edge.count() == 1) {
+      border[edge.a] = border[edge.b] = 1;
+    }
+  }
+  return border;
+}
+
+double mean_edge_length(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  const auto edges = mesh_edges(mesh.triangles);
+  for (const MeshEdge& edge : edges) {
+    sum += (mesh.vertices[edge.a] - mesh.vertices[edge.b]).norm();
+  }
+  return sum / static_cast<double>(edges.size());
+}
+
+}  // namespace toile::body

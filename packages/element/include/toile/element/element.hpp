@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "toile/material/material.hpp"
+
+namespace toile::element {
+
+/// Input of a batch of n elements of one kind and one material; arrays are contiguous per element.
+struct Batch {
+  int n = 0;
+  const double* pattern = nullptr;     ///< [n][nodes][2] reference coordinates, mm
+  const double* x = nullptr;           ///< [n][nodes][dofs_per_node] current unknowns (positions in mm first)
+  const double* wale_angle = nullptr;  ///< [n] radians from the pattern's x axis
+  const material::MaterialV1* law = nullptr;
+  const double* params = nullptr;  ///< [n_params] or [n][n_params] if graduated
+  bool graduated = false;
+  double thickness = 1.0;  ///< h0, mm
+};
+
+/// Output of a batch. A null pointer is not computed.
+struct Result {
+  double* energy = nullptr;        ///< [n] N mm
+  double* residual = nullptr;      ///< [n][ndof] gradient of the energy, N
+  double* tangent = nullptr;       ///< [n][ndof][ndof] symmetric, N/mm
+  std::uint8_t* status = nullptr;  ///< [n] worst material::PointStatus of the element's points
+};
+
+/// Fields at the integration points of one batch, for output.
+struct PointFields {
+  std::vector<double> C;                  ///< [n][points][3] C11, C22, C12 in the material frame
+  std::vector<double> S;                  ///< [n][points][3] second Piola-Kirchhoff stress, MPa
+  std::vector<double> cauchy_principal;   ///< [n][points][2] principal Cauchy stresses, MPa, larger first
+  std::vector<double> energy_density;     ///< [n][points] MPa
+  std::vector<double> thickness_stretch;  ///< [n][points]
+  std::vector<std::uint8_t> status;       ///< [n][points]
+};
+
+/// One element formulation: kinematics from nodal unknowns to C at points, and back by the chain rule.
+class Element {
+ public:
+  virtual ~Element() = default;
+  virtual const char* name() const = 0;
+  virtual const char* text() const = 0;
+  virtual int nodes() const = 0;
+  virtual int dofs_per_node() const = 0;
+  virtual int points() const = 0;
+  int ndof() const { return nodes() * dofs_per_node(); }
+
+  /// Energy, its gradient and Hessian. Elements with a point that is not admissible get NaN and their status.
+  virtual void evaluate(const Batch& batch, const Result& result) const = 0;
+  virtual PointFields fields(const Batch& batch) const = 0;
+  /// Current mid-surface area that belongs to each node, integral of N_I over the current area: [n][nodes], mm^2.
+  virtual void nodal_areas(const Batch& batch, double* areas) const = 0;
+  /// The same over the reference (pattern) area, mm^2; also tells the lumped M* of the damping.
+  virtual void reference_areas(const Batch& batch, double* areas) const = 0;
+};
+
+/// The formulation named `name` ("membrane4", "membrane3"), or null.
+const Element* find(const std::string& name);
+const std::vector<const Element*>& registry();
+
+}  // namespace toile::element

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/base/parameters.hpp"
+#include "toile/body/surface.hpp"
+#include "toile/garment/panel.hpp"
+#include "toile/garment/seam.hpp"
+#include "toile/mesh/mesh.hpp"
+
+namespace toile::garment {
+
+/// Everything that the lists "Panels" and "Seams" describe; the same on every rank.
+struct Garment {
+  mesh::Mesh mesh;  ///< one block a panel, in the order of the file
+  std::vector<Seam> seams;
+  Clusters clusters;
+  std::vector<std::string> materials;  ///< [panel] name of its entry of "Materials"
+};
+
+/// Meshes, places and sews. `seams` may be null (none); `body` may be null if no panel is wrapped round it.
+/// Throws InputError, see build_panel and build_seams; also if the placement fails (axis outside of the body, ...).
+Garment build_garment(const base::List& panels, const base::List* seams, const body::Surface* body);
+
+}  // namespace toile::garment

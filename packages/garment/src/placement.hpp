@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "toile/base/parameters.hpp"
+#include "toile/body/surface.hpp"
+#include "toile/mesh/four_sided.hpp"
+
+namespace toile::garment {
+
+/// One way of placing a panel in space: its parameters, and the positions (mm) that it gives to the nodes of a grid.
+/// Throws InputError through `placement.fail`. `body` is null if the scene has none.
+struct Placement {
+  base::Spec spec;
+  std::vector<mesh::Vec3> (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
+};
+
+/// All placements; a new one is a source of its own and a line here.
+const std::vector<Placement>& placements();
+
+Placement wrap_placement();       ///< round the body
+Placement free_wrap_placement();  ///< round a cylinder or cone, without a body
+
+/// Description of the list "Placement" of a panel.
+base::Spec placement_spec();
+
+/// Start in space of the nodes of a panel, mm. Without a list "Placement" the panel lies in the x-y plane of space.
+std::vector<mesh::Vec3> place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body);
+
+}  // namespace toile::garment

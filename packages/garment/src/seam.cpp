@@ -1,0 +1,103 @@
+#include "toile/garment/seam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace toile::garment {
+namespace {
+
+/// Nodes of one edge in the order of sewing, with their arc length in the pattern (mm).
+struct Edge {
+  std::string name;
+  std::vector<int> nodes;
+  std::vector<double> arc;
+
+  double length() const { return arc.back(); }
+  std::string text() const {
+    std::ostringstream out;
+    out << "'" << name << "' (" << nodes.size() << " nodes, " << length() << " mm)";
+    return out.str();
+  }
+};
+
+Edge read_edge(const base::List& entry, const std::string& parameter, const mesh::Mesh& mesh, bool backwards) {
+  Edge edge{entry.word(parameter), {}, {0.0}};
+  const auto found = mesh.edges.find(edge.name);
+  if (found == mesh.edges.end()) {
+    base::Texts valid;
+    for (const auto& [name, nodes] : mesh.edges) valid.push_back(name);
+    const std::string nearest = base::nearest_name(edge.name, valid);
+    std::string problem = "there is no edge '" + edge.name + "'";
+    if (!nearest.empty()) problem += ", did you mean '" + nearest + "'?";
+    problem += " Edges:";
+    for (const std::string& name : valid) problem += " " + name;
+    entry.fail(parameter, problem);
+  }
+  edge.nodes = found->second;
+  if (backwards) std::reverse(edge.nodes.begin(), edge.nodes.end());
+  for (std::size_t k = 1; k < edge.nodes.size(); ++k) {
+    edge.arc.push_back(edge.arc.back() + (mesh.pattern[edge.nodes[k]] - mesh.pattern[edge.nodes[k - 1]]).norm());
+  }
+  return edge;
+}
+
+void check_match(const base::List& entry, const Edge& first, const Edge& second) {
+  const std::string both = first.text() + " and " + second.text();
+  if (first.name == second.name) entry.fail("second", "the edge '" + first.name + "' cannot be sewn to itself");
+  if (first.nodes.size() != second.nodes.size()) {
+    entry.fail("second", "a seam whose edges cannot match: " + both +
+                             " have different numbers of nodes; give both panels the same number of elements there");
+  }
+  const double ease = entry.real("ease");
+  std::ostringstream allowed;
+  if (std::abs(first.length() - second.length()) > ease * std::max(first.length(), second.length())) {
+    allowed << "a seam whose edges cannot match: the lengths of " << both << " differ by more than " << 100.0 * ease
+            << " % (parameter 'ease')";
+    entry.fail("second", allowed.str());
+  }
+  for (std::size_t k = 0; k < first.nodes.size(); ++k) {
+    const double a = first.arc[k] / first.length();
+    const double b = second.arc[k] / second.length();
+    if (std::abs(a - b) <= ease) continue;
+    allowed << "a seam whose edges cannot match: the nodes of " << both << " do not face each other (node " << k + 1
+            << " lies at " << a << " and " << b << " of the length); give both panels the same grading";
+    entry.fail("second", allowed.str());
+  }
+}
+
+Seam build_seam(const base::List& entry, const mesh::Mesh& mesh) {
+  const Edge first = read_edge(entry, "first", mesh, false);
+  const Edge second = read_edge(entry, "second", mesh, entry.flag("reversed"));
+  check_match(entry, first, second);
+  Seam seam{entry.name(), first.name, second.name, {}};
+  for (std::size_t k = 0; k < first.nodes.size(); ++k) {
+    // Two edges of one panel may share a corner, which then needs no tie.
+    if (first.nodes[k] != second.nodes[k]) seam.pairs.emplace_back(first.nodes[k], second.nodes[k]);
+  }
+  return seam;
+}
+
+}  // namespace
+
+base::Spec seams_spec() {
+  base::Spec entry("seam", "Two edges that are sewn together, node by node. A panel may be sewn to itself.");
+  entry.word("first", "Name of an edge: panel.bottom, panel.right, panel.top or panel.left.")
+      .word("second", "Name of the other edge.")
+      .flag("reversed",
+            "The second edge is sewn from its far end. Edges run from left to right and from bottom to top.", false)
+      .real("ease", "",
+            "Largest allowed difference of the two lengths in the pattern, as a fraction of the longer one.", 0.05,
+            base::Range::between(0.0, 1.0));
+  base::Spec spec("Seams", "The seams of the garment.");
+  spec.entries(entry);
+  return spec;
+}
+
+std::vector<Seam> build_seams(const base::List& seams, const mesh::Mesh& mesh) {
+  std::vector<Seam> all;
+  for (const base::List& entry : seams.entries()) all.push_back(build_seam(entry, mesh));
+  return all;
+}
+
+}  // namespace toile::garment

@@ -1,0 +1,113 @@
+#include "section.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "toile/base/error.hpp"
+#include "toile/mesh/quadrature.hpp"
+
+namespace toile::garment {
+namespace {
+
+constexpr int rays = 128;
+constexpr double largest_radius = 2000.0;  // mm; no section of a body is wider
+constexpr double tolerance = 1e-8;         // mm
+constexpr int most_steps = 500;
+
+[[noreturn]] void fail(const std::string& what, double height) {
+  std::ostringstream text;
+  text << what << " at the height " << height << " mm above 'axis bottom'";
+  throw base::InputError(text.str());
+}
+
+/// Radius at which the gap along the ray equals `offset`; `start` is known not to lie beyond it. The gap is a distance,
+/// so a step by what is missing never passes the surface; close to it the slope of the gap along the ray makes it
+/// Newton's step.
+double trace_ray(const body::Surface& body, const body::Vec3& origin, const body::Vec3& ray, double start,
+                 double offset, double height) {
+  double radius = start;
+  for (int step = 0; step < most_steps && radius < largest_radius; ++step) {
+    const body::SurfacePoint point = body.closest(origin + radius * ray);
+    const double missing = offset - point.gap;
+    if (point.found && std::abs(missing) <= tolerance) return radius;
+    if (!point.found) {  // deep inside: the gap is a bound of the distance
+      radius += std::abs(missing);
+      continue;
+    }
+    const double slope = point.normal.dot(ray);
+    const bool near = std::abs(missing) < 0.1 * radius && slope > 0.3;
+    radius += near ? missing / slope : missing;
+  }
+  fail("a ray from the axis finds no surface of the body", height);
+}
+
+}  // namespace
+
+body::Vec3 Axis::ray(double angle) const {
+  return std::cos(angle) * zero + std::sin(angle) * direction.cross(zero);
+}
+
+Section::Section(std::vector<double> radii)
+    : step_(2.0 * M_PI / static_cast<double>(radii.size())), radii_(std::move(radii)), arc_(1, 0.0) {
+  const std::size_t n = radii_.size();
+  const auto at = [this, n](std::size_t i) { return radii_[i % n]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    slopes_.push_back((at(i + n - 2) - 8.0 * at(i + n - 1) + 8.0 * at(i + 1) - at(i + 2)) / (12.0 * step_));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double from = static_cast<double>(i) * step_;
+    arc_.push_back(arc_.back() + arc(from, from + step_));
+  }
+}
+
+Section::Local Section::local(double angle) const {
+  const auto n = static_cast<int>(radii_.size());
+  const double sample = angle / step_;
+  const int before = std::clamp(static_cast<int>(std::floor(sample)), 0, n - 1);
+  const int after = (before + 1) % n;
+  const double t = sample - before;
+  const double s = 1.0 - t;
+  const double a = radii_[before], b = radii_[after];
+  const double da = slopes_[before] * step_, db = slopes_[after] * step_;
+  // Hermite interpolation.
+  return {s * s * ((1.0 + 2.0 * t) * a + t * da) + t * t * ((1.0 + 2.0 * s) * b - s * db),
+          (6.0 * s * t * (b - a) + s * (s - 2.0 * t) * da + t * (t - 2.0 * s) * db) / step_};
+}
+
+double Section::radius(double angle) const {
+  return local(angle).radius;
+}
+
+double Section::arc(double from, double to) const {
+  return mesh::gauss_integral([this](double angle) { return std::hypot(local(angle).radius, local(angle).slope); },
+                              from, to);
+}
+
+double Section::angle_at(double s) const {
+  const double wanted = s - std::floor(s / girth()) * girth();
+  const auto next = std::upper_bound(arc_.begin(), arc_.end(), wanted);
+  const int sample = std::clamp(static_cast<int>(next - arc_.begin()) - 1, 0, static_cast<int>(radii_.size()) - 1);
+  const double from = sample * step_;
+  double angle = from + step_ * (wanted - arc_[sample]) / (arc_[sample + 1] - arc_[sample]);
+  for (int iteration = 0; iteration < 3; ++iteration) {
+    const Local here = local(angle);
+    angle -= (arc_[sample] + arc(from, angle) - wanted) / std::hypot(here.radius, here.slope);
+    angle = std::clamp(angle, from, from + step_);
+  }
+  return angle;
+}
+
+Section trace_section(const body::Surface& body, const Axis& axis, double height, double offset) {
+  const body::Vec3 origin = axis.at(height);
+  const body::SurfacePoint centre = body.closest(origin);
+  if (centre.gap >= 0.0) fail("the axis is not inside the body", height);
+  std::vector<double> radii;
+  for (int k = 0; k < rays; ++k) {
+    radii.push_back(trace_ray(body, origin, axis.ray(2.0 * M_PI * k / rays), -centre.gap, offset, height));
+  }
+  return Section(std::move(radii));
+}
+
+}  // namespace toile::garment

@@ -1,0 +1,92 @@
+#include "shape.hpp"
+
+#include <string>
+
+namespace toile::garment {
+namespace {
+
+using mesh::Curve;
+using mesh::FourSides;
+using mesh::Interpolation;
+using mesh::Vec2;
+
+base::Spec rectangle_spec() {
+  return base::Spec("rectangle", "Rectangle with its lower left corner at the origin of the pattern.")
+      .real("width", "mm", "Extent along the pattern's x axis.", base::required, base::Range::positive())
+      .real("height", "mm", "Extent along the pattern's y axis.", base::required, base::Range::positive());
+}
+
+FourSides rectangle_sides(const base::List& panel) {
+  return mesh::rectangle(panel.real("width"), panel.real("height"));
+}
+
+base::Spec four_sided_spec() {
+  return base::Spec("four-sided",
+                    "Panel between four curves that are given by points, counter-clockwise seen from "
+                    "the right side of the fabric.")
+      .reals("bottom", "mm", "Points x, y, x, y, ... of the lower side, from the left to the right corner.")
+      .reals("right", "mm", "Points of the right side, from the lower to the upper corner.")
+      .reals("top", "mm", "Points of the upper side, from the left to the right corner.")
+      .reals("left", "mm", "Points of the left side, from the lower to the upper corner.")
+      .choice("sides", "What joins the points of a side: natural cubic splines or straight lines.",
+              {"smooth", "polyline"}, std::string("smooth"));
+}
+
+Curve read_side(const base::List& panel, const std::string& side) {
+  const base::Reals& values = panel.reals(side);
+  if (values.size() < 4 || values.size() % 2 != 0) {
+    panel.fail(side, "has " + std::to_string(values.size()) +
+                         " numbers; allowed are pairs x, y, and at least two of them, one for each corner");
+  }
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k < values.size(); k += 2) {
+    points.emplace_back(values[k], values[k + 1]);
+    if (k > 0 && points[k / 2] == points[k / 2 - 1]) {
+      panel.fail(side, "repeats its point number " + std::to_string(k / 2) +
+                           "; each point must differ from the one "
+                           "before it");
+    }
+  }
+  return Curve(points, panel.word("sides") == "smooth" ? Interpolation::smooth : Interpolation::polyline);
+}
+
+FourSides four_sided_sides(const base::List& panel) {
+  return {read_side(panel, "bottom"), read_side(panel, "right"), read_side(panel, "top"), read_side(panel, "left")};
+}
+
+base::Spec profile_spec() {
+  return base::Spec("profile", "Panel that is symmetric about x = 0, by its width at some levels (a leg or a sleeve).")
+      .reals("levels", "mm", "Pattern coordinates y, strictly increasing.")
+      .reals("widths", "mm", "Full width at each level; the sides are natural cubic splines through them.",
+             base::required, base::Range::positive());
+}
+
+FourSides profile_sides(const base::List& panel) {
+  const base::Reals& levels = panel.reals("levels");
+  const base::Reals& widths = panel.reals("widths");
+  if (levels.size() < 2) panel.fail("levels", "has fewer than two values; a panel needs a lower and an upper end");
+  if (widths.size() != levels.size()) {
+    panel.fail("widths", "has " + std::to_string(widths.size()) + " values, but 'levels' has " +
+                             std::to_string(levels.size()) + "; there must be one width for each level");
+  }
+  std::vector<Vec2> left, right;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (k > 0 && levels[k] <= levels[k - 1]) {
+      panel.fail("levels", "must increase strictly, but value number " + std::to_string(k + 1) + " does not");
+    }
+    left.emplace_back(-0.5 * widths[k], levels[k]);
+    right.emplace_back(0.5 * widths[k], levels[k]);
+  }
+  return {Curve({left.front(), right.front()}, Interpolation::polyline), Curve(right, Interpolation::smooth, levels),
+          Curve({left.back(), right.back()}, Interpolation::polyline), Curve(left, Interpolation::smooth, levels)};
+}
+
+}  // namespace
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all{
+      {rectangle_spec(), rectangle_sides}, {four_sided_spec(), four_sided_sides}, {profile_spec(), profile_sides}};
+  return all;
+}
+
+}  // namespace toile::garment

@@ -1,0 +1,132 @@
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+#include "placement.hpp"
+#include "section.hpp"
+#include "toile/base/error.hpp"
+#include "vector_input.hpp"
+
+namespace toile::garment {
+namespace {
+
+using mesh::Vec3;
+
+base::Spec add_wrap_parameters(base::Spec spec) {
+  return spec.reals("axis bottom", "mm", "Lower point of the axis: heights count from here towards 'axis top'.")
+      .reals("axis top", "mm", "A second point on the axis, above the first.")
+      .real("from", "mm", "Height along the axis of the panel's bottom.")
+      .real("to", "mm", "Height along the axis of the panel's top.")
+      .reals("zero direction", "", "Direction in space, seen from the axis, from which 'angle' counts.",
+             base::Reals{1.0, 0.0, 0.0})
+      .real("angle", "deg",
+            "Where the panel's centre line lies: its part of the girth, 360 being once round, counter-clockwise seen "
+            "from the top of the axis. Two panels of coverage 1/2 at 0 and 180 meet on any section.",
+            0.0)
+      .real("coverage", "",
+            "Part of the girth that the panel covers at every level, so that the hoop stretch is uniform there; 0: the "
+            "width of the pattern itself (unstretched).",
+            0.0, base::Range::between(0.0, 1.0));
+}
+
+Axis read_axis(const base::List& list) {
+  const Vec3 bottom = read_vector(list, "axis bottom");
+  const Vec3 along = read_vector(list, "axis top") - bottom;
+  if (along.norm() <= 0.0) list.fail("axis top", "must differ from 'axis bottom'");
+  const Vec3 direction = along.normalized();
+  const Vec3 wanted = read_direction(list, "zero direction");
+  const Vec3 zero = wanted - wanted.dot(direction) * direction;
+  if (zero.norm() <= 1e-6) list.fail("zero direction", "must not be parallel to the axis");
+  return {bottom, direction, zero.normalized()};
+}
+
+/// Height of each row of the grid: linear in the mean pattern coordinate y of the row.
+std::vector<double> row_heights(const base::List& list, const mesh::Grid& grid) {
+  const double from = list.real("from");
+  const double to = list.real("to");
+  if (to <= from) list.fail("to", "must be above 'from'");
+  std::vector<double> level;
+  for (int j = 0; j <= grid.along; ++j) {
+    double sum = 0.0;
+    for (const int id : grid.row(j)) sum += grid.nodes[id].y();
+    level.push_back(sum / (grid.across + 1));
+    if (j > 0 && level[j] <= level[j - 1]) list.fail("type", "the rows of the pattern must rise along its y axis");
+  }
+  std::vector<double> heights;
+  for (const double y : level) heights.push_back(from + (to - from) * (y - level[0]) / (level.back() - level[0]));
+  return heights;
+}
+
+/// Arc length of the pattern from the left end of row j to each of its nodes, mm.
+std::vector<double> row_arc(const mesh::Grid& grid, int j) {
+  std::vector<double> arc{0.0};
+  for (int i = 1; i <= grid.across; ++i) {
+    arc.push_back(arc.back() + (grid.nodes[grid.node(i, j)] - grid.nodes[grid.node(i - 1, j)]).norm());
+  }
+  return arc;
+}
+
+/// Puts every row of the grid on the section at its height.
+std::vector<Vec3> wrap(const base::List& list, const mesh::Grid& grid,
+                       const std::function<Section(const Axis&, double height)>& section_at) {
+  const Axis axis = read_axis(list);
+  const std::vector<double> heights = row_heights(list, grid);
+  const double coverage = list.real("coverage");
+  std::vector<Vec3> placed;
+  for (int j = 0; j <= grid.along; ++j) {
+    const Section section = section_at(axis, heights[j]);
+    const std::vector<double> arc = row_arc(grid, j);
+    const double width = coverage > 0.0 ? coverage * section.girth() : arc.back();
+    if (width > section.girth() * (1.0 + 1e-9)) {
+      std::ostringstream text;
+      text << "the pattern is " << width << " mm wide at the height " << heights[j] << " mm, but the girth there is "
+           << section.girth() << " mm: give a 'coverage' of at most 1, or wrap the panel further away from the axis";
+      list.fail("coverage", text.str());
+    }
+    const double centre = list.real("angle") / 360.0 * section.girth();
+    for (const double s : arc) {
+      const double angle = section.angle_at(centre + width * (s / arc.back() - 0.5));
+      placed.push_back(axis.at(heights[j]) + section.radius(angle) * axis.ray(angle));
+    }
+  }
+  return placed;
+}
+
+std::vector<Vec3> place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
+  if (body == nullptr) list.fail("type", "'wrap' needs a body, and the scene has none; 'free wrap' does not");
+  const double offset = list.real("offset");
+  return wrap(list, grid, [&list, body, offset](const Axis& axis, double height) {
+    try {
+      return trace_section(*body, axis, height, offset);
+    } catch (const base::InputError& error) {
+      list.fail("axis bottom", error.what());
+    }
+  });
+}
+
+std::vector<Vec3> place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
+  const base::Reals& around = list.reals("around");
+  if (around.size() != 2) list.fail("around", "needs two radii, one at 'from' and one at 'to'");
+  const double from = list.real("from");
+  const double to = list.real("to");
+  return wrap(list, grid, [&around, from, to](const Axis&, double height) {
+    constexpr int samples = 16;  // any number: a circle is represented exactly
+    return Section(std::vector<double>(samples, around[0] + (around[1] - around[0]) * (height - from) / (to - from)));
+  });
+}
+
+}  // namespace
+
+Placement wrap_placement() {
+  base::Spec spec = add_wrap_parameters(base::Spec("wrap", "Round the body, level by level."));
+  spec.real("offset", "mm", "Distance from the body's surface.", 0.0, base::Range::non_negative());
+  return {spec, place_on_body};
+}
+
+Placement free_wrap_placement() {
+  base::Spec spec = add_wrap_parameters(base::Spec("free wrap", "Round a cylinder or cone, without a body."));
+  spec.reals("around", "mm", "Radius at 'from' and at 'to'.", base::required, base::Range::positive());
+  return {spec, place_freely};
+}
+
+}  // namespace toile::garment

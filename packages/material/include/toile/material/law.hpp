@@ -1,0 +1,242 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+
+#include "toile/material/differentiate.hpp"
+#include "toile/material/material.hpp"
+
+/// What the author of a material includes. A material is a struct `Law` with
+///   static constexpr const char *name, *text;
+///   static constexpr std::array<ParamInfo, n> info;          every parameter: name, unit, text, default, range
+///   template <class T, class P> static T energy(const PlaneC<T>& c, const Params<P>& p);
+/// and, if wanted, `static constexpr std::array<ParamSet, m> sets` and `static int check(const double*, char*, int)`.
+/// `energy` is written once, without `if` on a T (use where()) and with power(), log(), sqrt(), reciprocal() of
+/// variables (not of expressions); keep intermediate results in variables of type T or P, never in `auto`.
+/// make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
+namespace toile::material {
+
+/// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:
+/// C33 = 1 / (C11 C22 - C12^2) (DESIGN, "Incompressible plane stress").
+template <class T>
+struct PlaneC {
+  T C11, C22, C12;
+  T det;  ///< C11 C22 - C12^2: of the in-plane part
+  T C33;
+
+  PlaneC(const T& c11, const T& c22, const T& c12)
+      : C11(c11), C22(c22), C12(c12), det(c11 * c22 - c12 * c12), C33(reciprocal(det)) {}
+
+  /// Entries of cof C = C^-1 (det C = 1).
+  T cof11() const { return C22 * C33; }
+  T cof22() const { return C11 * C33; }
+  T cof33() const { return det; }
+  T cof12() const { return -C12 * C33; }
+
+  /// Tells that the law is continued at this point, outside its calibrated range.
+  void extrapolated_where(const mask_type<base_type<T>>& condition) const { extrapolated = extrapolated | condition; }
+  mutable mask_type<base_type<T>> extrapolated = {};
+};
+
+/// Parameters of one evaluation, by their index in Law::info.
+template <class P>
+class Params {
+ public:
+  /// values [n_params]; first [n_params] with stride `stride`: numbers of the first point, for choices.
+  Params(const P* values, const double* first, int stride = 1) : values_(values), first_(first), stride_(stride) {}
+  const P& operator[](int index) const { return values_[index]; }
+  /// A parameter that is one of a few words: the word's index. The same for all points of a batch, so `if` is allowed.
+  int choice(int index) const { return static_cast<int>(first_[index * stride_]); }
+
+ private:
+  const P* values_;
+  const double* first_;
+  int stride_;
+};
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Default of a parameter that must be given.
+inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
+/// Smallest principal stretch (in the plane and through the thickness) at which an energy is evaluated.
+inline constexpr double stretch_floor = 0.05;
+
+namespace detail {
+
+using Gradient = Fad<Lane, 3>;
+using Hessian = Fad<Fad<Lane, 3>, 3>;
+
+/// Points first..first+count-1 of a batch in lanes; unused lanes repeat the last point, lanes that are not admissible
+/// hold the natural state.
+struct Block {
+  int first, count;
+  std::array<Lane, 3> C;
+  LaneMask admissible;
+};
+
+inline Block load(int n, int first, const double* C) {
+  Block block{first, std::min(lanes, n - first), {}, {}};
+  for (int a = 0; a < 3; ++a) block.C[a] = Lane::load(C + static_cast<long>(a) * n + first, block.count);
+  const auto& [c11, c22, c12] = block.C;
+  const double floor = stretch_floor * stretch_floor;
+  const Lane det = c11 * c22 - c12 * c12;
+  // Both eigenvalues of the in-plane C are at least `floor`: its shifted trace and determinant are not negative.
+  block.admissible = less(0.0, det) & less_equal(floor, c11) & less_equal(floor, c22) &
+                     less_equal(0.0, (c11 - floor) * (c22 - floor) - c12 * c12) & less_equal(det * floor, 1.0);
+  block.C = {where(block.admissible, c11, 1.0), where(block.admissible, c22, 1.0), where(block.admissible, c12, 0.0)};
+  return block;
+}
+
+template <std::size_t N>
+void load_params(int n, const Block& block, const double* params, std::array<Lane, N>& values) {
+  for (std::size_t k = 0; k < N; ++k)
+    values[k] = Lane::load(params + static_cast<long>(k) * n + block.first, block.count);
+}
+
+/// out[first + i] = value of lane i, NaN where the point is not admissible.
+inline void store(const Block& block, Lane value, double* out) {
+  where(block.admissible, value, std::numeric_limits<double>::quiet_NaN()).store(out + block.first, block.count);
+}
+
+template <class T>
+PlaneC<T> seeded(const std::array<Lane, 3>& C) {
+  std::array<T, 3> c;
+  for (int a = 0; a < 3; ++a) {
+    if constexpr (Base<T>::level == 2) {
+      c[a] = T(3, a, Gradient(3, a, C[a]));
+      c[a].fastAccessDx(a) = Gradient(1.0);
+    } else {
+      c[a] = T(3, a, C[a]);
+    }
+  }
+  return PlaneC<T>(c[0], c[1], c[2]);
+}
+
+/// E = (C11/2, C22/2, C12), so d/dE = factor d/dC.
+inline constexpr std::array<double, 3> strain_factor = {2.0, 2.0, 1.0};
+
+template <class T, class Law, class P>
+[[gnu::flatten]] LaneMask evaluate_block(int n, const Block& block, const P& params, double* W, double* S, double* D) {
+  const PlaneC<T> c = seeded<T>(block.C);
+  const T energy = Law::energy(c, params);
+  store(block, base_value(energy), W);
+  for (int a = 0; a < 3; ++a)
+    store(block, strain_factor[a] * base_value(energy.fastAccessDx(a)), S + static_cast<long>(a) * n);
+  if constexpr (Base<T>::level == 2) {
+    constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (int k = 0; k < 6; ++k) {
+      const auto [a, b] = pairs[k];
+      store(block, strain_factor[a] * strain_factor[b] * energy.fastAccessDx(a).fastAccessDx(b),
+            D + static_cast<long>(k) * n);
+    }
+  }
+  return c.extrapolated;
+}
+
+/// dSdp by one more nested direction a parameter: T = Fad<Fad<Lane, n_params>, 3>.
+template <class Law, std::size_t N>
+void evaluate_sensitivity(int n, const Block& block, const std::array<Lane, N>& values, const Params<Lane>& plain,
+                          double* dSdp) {
+  constexpr int n_params = static_cast<int>(N);
+  using P = Fad<Lane, n_params>;
+  using T = Fad<P, 3>;
+  std::array<P, N> params;
+  std::array<double, N> choices;
+  for (int k = 0; k < n_params; ++k) {
+    params[k] = P(n_params, k, values[k]);
+    choices[k] = plain.choice(k);
+  }
+  const auto variable = [&](int a) { return T(3, a, P(block.C[a])); };
+  const PlaneC<T> c(variable(0), variable(1), variable(2));
+  const T energy = Law::energy(c, Params<P>(params.data(), choices.data()));
+  for (int a = 0; a < 3; ++a)
+    for (int k = 0; k < n_params; ++k)
+      store(block, strain_factor[a] * energy.fastAccessDx(a).fastAccessDx(k),
+            dSdp + (static_cast<long>(a) * n_params + k) * n);
+}
+
+inline int store_status(const Block& block, LaneMask extrapolated, std::uint8_t* status) {
+  int bad = 0;
+  for (int i = 0; i < block.count; ++i) {
+    status[block.first + i] = !block.admissible[i] ? point_not_admissible
+                              : extrapolated[i]    ? point_extrapolated
+                                                   : point_ok;
+    bad += !block.admissible[i];
+  }
+  return bad;
+}
+
+/// MaterialV1::evaluate of `Law`.
+template <class Law>
+int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
+             double* thickness_stretch, double* dSdp, std::uint8_t* status) {
+  constexpr std::size_t n_params = Law::info.size();
+  std::array<Lane, n_params> values;
+  if (param_stride == 0) std::copy(params, params + n_params, values.begin());
+  const Params<Lane> law_params(values.data(), params, param_stride == 0 ? 1 : n);
+  int bad = 0;
+  for (int first = 0; first < n; first += lanes) {
+    const Block block = load(n, first, C);
+    if (param_stride != 0) load_params(n, block, params, values);
+    const LaneMask extrapolated = D ? evaluate_block<Hessian, Law>(n, block, law_params, W, S, D)
+                                    : evaluate_block<Gradient, Law>(n, block, law_params, W, S, nullptr);
+    if (dSdp) evaluate_sensitivity<Law>(n, block, values, law_params, dSdp);
+    const Lane det = block.C[0] * block.C[1] - block.C[2] * block.C[2];
+    store(block, 1.0 / sqrt(det), thickness_stretch);
+    bad += store_status(block, extrapolated, status);
+  }
+  return bad;
+}
+
+template <class Law, class = void>
+struct Sets {
+  static constexpr std::array<ParamSet, 0> value = {};
+};
+template <class Law>
+struct Sets<Law, std::void_t<decltype(Law::sets)>> {
+  static constexpr const auto& value = Law::sets;
+};
+
+template <class Law, class = void>
+struct Check {
+  static int run(const double*, char*, int) { return 0; }
+};
+template <class Law>
+struct Check<Law, std::void_t<decltype(&Law::check)>> {
+  static int run(const double* params, char* message, int length) { return Law::check(params, message, length); }
+};
+
+/// MaterialV1::check of `Law`: the range of each parameter, then the law's own conditions.
+template <class Law>
+int check(const double* params, char* message, int length) {
+  for (std::size_t k = 0; k < Law::info.size(); ++k) {
+    const ParamInfo& info = Law::info[k];
+    const bool above = info.lower_open ? params[k] > info.lower : params[k] >= info.lower;
+    if (above && params[k] <= info.upper) continue;
+    char upper[32] = "";
+    if (info.upper < infinity) std::snprintf(upper, sizeof upper, " and <= %.6g", info.upper);
+    std::snprintf(message, length, "%.6g is out of range: allowed is %s %.6g%s", params[k],
+                  info.lower_open ? ">" : ">=", info.lower, upper);
+    return static_cast<int>(k) + 1;
+  }
+  return Check<Law>::run(params, message, length);
+}
+
+}  // namespace detail
+
+/// The C interface of `Law`.
+template <class Law>
+constexpr MaterialV1 make_law() {
+  return {material_abi,
+          Law::name,
+          Law::text,
+          static_cast<int>(Law::info.size()),
+          Law::info.data(),
+          &detail::check<Law>,
+          &detail::evaluate<Law>,
+          static_cast<int>(detail::Sets<Law>::value.size()),
+          detail::Sets<Law>::value.data()};
+}
+
+}  // namespace toile::material

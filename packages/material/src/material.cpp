@@ -1,0 +1,111 @@
+#include "toile/material/material.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "toile/base/error.hpp"
+#include "words.hpp"
+
+namespace toile::material {
+namespace {
+
+/// What a law says against a set of values: the parameter and why.
+struct Objection {
+  int param;
+  std::string text;
+};
+
+std::optional<Objection> objection(const MaterialV1& law, const std::vector<double>& params) {
+  std::array<char, 1024> message = {};
+  const int code = law.check ? law.check(params.data(), message.data(), static_cast<int>(message.size())) : 0;
+  if (code == 0) return std::nullopt;
+  return Objection{code - 1, message.data()};
+}
+
+const ParamSet* named_set(const MaterialV1& law, const base::List& list) {
+  if (law.n_sets == 0) return nullptr;
+  const std::string& name = list.word("set");
+  const auto* end = law.sets + law.n_sets;
+  const auto* set = std::find_if(law.sets, end, [&](const ParamSet& candidate) { return name == candidate.name; });
+  return set == end ? nullptr : set;
+}
+
+double given_value(const ParamInfo& info, const base::List& list) {
+  const std::vector<std::string> words = words_of(info);
+  if (words.empty()) return list.real(info.name);
+  if (is_flag(words)) return list.flag(info.name) ? 1.0 : 0.0;
+  const auto word = std::find(words.begin(), words.end(), list.word(info.name));
+  return static_cast<double>(word - words.begin());
+}
+
+[[noreturn]] void fail_missing(const MaterialV1& law, const ParamInfo& info, const base::List& list) {
+  std::string text = list.file() + ": " + list.path() + ": missing parameter \"" + info.name + "\" of material \"" +
+                     law.name + "\", expected a double" + (*info.unit ? std::string(" in ") + info.unit : "") + ": " +
+                     info.text;
+  for (int i = 0; i < law.n_sets; ++i)
+    text += std::string(i == 0 ? ". Or fill all parameters with \"set\" = " : " or ") + "\"" + law.sets[i].name + "\"";
+  throw base::InputError(text);
+}
+
+/// Throws what `law` says against `params`; blames the set for a value that the file does not give.
+void require_valid(const MaterialV1& law, const std::vector<double>& params, const base::List& list) {
+  const auto found = objection(law, params);
+  if (!found) return;
+  const ParamInfo& info = law.info[found->param];
+  if (list.given(info.name)) list.fail(info.name, found->text);
+  list.fail("set", std::string("parameter \"") + info.name + "\": " + found->text);
+}
+
+double interpolate(const std::vector<std::pair<double, double>>& rows, double position) {
+  const auto after = std::upper_bound(rows.begin(), rows.end(), position,
+                                      [](double value, const auto& row) { return value < row.first; });
+  if (after == rows.begin()) return rows.front().second;
+  if (after == rows.end()) return rows.back().second;
+  const auto before = after - 1;
+  const double t = (position - before->first) / (after->first - before->first);
+  return before->second + t * (after->second - before->second);
+}
+
+}  // namespace
+
+Material::Material(const base::List& list)
+    : law_(find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
+  const ParamSet* set = named_set(*law_, list);
+  for (int i = 0; i < law_->n_params; ++i) {
+    const ParamInfo& info = law_->info[i];
+    if (info.choices == nullptr && list.has_table(info.name)) {
+      tables_.push_back({i, list.table(info.name)});
+      params_.push_back(tables_.back().rows.front().second);
+    } else if (list.given(info.name)) {
+      params_.push_back(given_value(info, list));
+    } else {
+      params_.push_back(set ? set->values[i] : info.fallback);
+    }
+    if (std::isnan(params_.back())) fail_missing(*law_, info, list);
+  }
+  // The laws' conditions are linear in the parameters and the tables are piecewise linear: their rows decide.
+  std::vector<double> positions = {0.0};
+  for (const Table& table : tables_)
+    for (const auto& row : table.rows) positions.push_back(row.first);
+  for (double position : positions) require_valid(*law_, params_at(position), list);
+}
+
+Material::Material(const MaterialV1& law, std::vector<double> params, double thickness)
+    : law_(&law), name_(law.name), thickness_(thickness), params_(std::move(params)) {
+  if (static_cast<int>(params_.size()) != law.n_params)
+    throw base::InputError("Material \"" + name_ + "\" has " + std::to_string(law.n_params) + " parameters, not " +
+                           std::to_string(params_.size()));
+  if (const auto found = objection(law, params_))
+    throw base::InputError("Material \"" + name_ + "\", parameter \"" + law.info[found->param].name +
+                           "\": " + found->text);
+}
+
+std::vector<double> Material::params_at(double position) const {
+  std::vector<double> values = params_;
+  for (const Table& table : tables_) values[table.param] = interpolate(table.rows, position);
+  return values;
+}
+
+}  // namespace toile::material

@@ -1,0 +1,25 @@
+#include "toile/material/itskov.hpp"
+#include "toile/material/neo_hookean.hpp"
+#include "toile/material/rebar.hpp"
+
+namespace toile::material {
+
+const std::vector<const MaterialV1*>& registry() {
+  // One explicit list, because a static library drops objects that register themselves. A new material: its header
+  // above and its line here, in alphabetical order.
+  static constexpr MaterialV1 laws[] = {make_law<itskov::Law>(), make_law<neo_hookean::Law>(), make_law<rebar::Law>()};
+  static const std::vector<const MaterialV1*> list = [] {
+    std::vector<const MaterialV1*> pointers;
+    for (const MaterialV1& law : laws) pointers.push_back(&law);
+    return pointers;
+  }();
+  return list;
+}
+
+const MaterialV1* find(const std::string& name) {
+  for (const MaterialV1* law : registry())
+    if (name == law->name) return law;
+  return nullptr;
+}
+
+}  // namespace toile::material

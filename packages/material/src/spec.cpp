@@ -1,0 +1,64 @@
+#include <sstream>
+
+#include "toile/material/material.hpp"
+#include "words.hpp"
+
+namespace toile::material {
+namespace {
+
+base::Range range_of(const ParamInfo& info) {
+  return {info.lower, info.upper, info.lower_open != 0, false};
+}
+
+void add_parameter(base::Spec& spec, const ParamInfo& info) {
+  const std::vector<std::string> words = words_of(info);
+  if (is_flag(words)) {
+    spec.flag(info.name, info.text, info.fallback != 0.0);
+  } else if (!words.empty()) {
+    spec.choice(info.name, info.text, words, words[static_cast<std::size_t>(info.fallback)]);
+  } else {
+    base::Parameter parameter{info.name, base::Type::real, info.unit, info.text, info.fallback, range_of(info)};
+    if (info.fallback != info.fallback) parameter.text += " (to be given, unless \"set\" names a published set)";
+    parameter.may_table = true;
+    spec.add(parameter);
+  }
+}
+
+base::Spec law_spec(const MaterialV1& law) {
+  base::Spec spec(law.name, law.text);
+  if (law.n_sets > 0) {
+    base::Texts names = {"none"};
+    std::string text = "published set that fills every parameter that is not given";
+    for (int i = 0; i < law.n_sets; ++i) {
+      names.push_back(law.sets[i].name);
+      text += std::string(i == 0 ? ": " : "; ") + law.sets[i].name + " - " + law.sets[i].text;
+    }
+    spec.choice("set", text, names, std::string("none"));
+  }
+  for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i]);
+  return spec;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const ParamInfo& info) {
+  std::vector<std::string> words;
+  std::istringstream stream(info.choices ? info.choices : "");
+  for (std::string word; std::getline(stream, word, '|');) words.push_back(word);
+  return words;
+}
+
+bool is_flag(const std::vector<std::string>& words) {
+  return words.size() == 2 && words[0] == "false" && words[1] == "true";
+}
+
+base::Spec material_spec() {
+  std::vector<base::Spec> variants;
+  for (const MaterialV1* law : registry()) variants.push_back(law_spec(*law));
+  base::Spec spec("Material", "One fabric: the energy per reference volume of incompressible plane stress");
+  spec.real("thickness", "mm", "thickness h0 of the stress-free fabric", 1.0, base::Range::positive());
+  spec.variant("type", "energy of the fabric", std::move(variants));
+  return spec;
+}
+
+}  // namespace toile::material

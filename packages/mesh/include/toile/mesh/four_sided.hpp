@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toile/mesh/curve.hpp"
+#include "toile/mesh/mesh.hpp"
+
+namespace toile::mesh {
+
+/// Outline of a panel: bottom and top run from left to right, left and right from bottom to top.
+struct FourSides {
+  Curve bottom;
+  Curve right;
+  Curve top;
+  Curve left;
+
+  /// The two ends that should be one corner and are further apart than 1e-6 of the outline's length, as text.
+  std::optional<std::string> open_corner() const;
+  /// Closed polygon along the outline, counter-clockwise, `per_side` points on each side.
+  std::vector<Vec2> polygon(int per_side) const;
+};
+
+/// Rectangle with its lower left corner at the origin, mm.
+FourSides rectangle(double width, double height);
+
+struct GridOptions {
+  int across = 1;  ///< elements from left to right
+  int along = 1;   ///< elements from bottom to top
+  bool triangles = false;
+  /// Exponent g >= 1 of the node spacing: nodes at 1/2 (2t)^g from either end, 1: uniform. A displacement that behaves
+  /// as r^a at the corners needs g > 1/a for the full order of linear elements in the energy.
+  double grading_across = 1.0;
+  double grading_along = 1.0;
+  /// Random shift of the inner nodes, as a fraction of the distance to the nearest neighbour (0: none).
+  double distortion = 0.0;
+};
+
+/// Structured mesh of one panel; node (i, j) is column i from the left in row j from the bottom.
+struct Grid {
+  int across = 0;
+  int along = 0;
+  std::vector<Vec2> nodes;  ///< [(along + 1) * (across + 1)] pattern coordinates, mm, row by row
+  int nodes_per_element = 4;
+  std::vector<int> connectivity;  ///< counter-clockwise
+
+  int node(int i, int j) const { return j * (across + 1) + i; }
+  std::vector<int> row(int j) const;     ///< nodes from left to right
+  std::vector<int> column(int i) const;  ///< nodes from bottom to top
+};
+
+/// Position in 0..1 of the evenly spaced value t after symmetric grading (see GridOptions).
+double graded(double t, double exponent);
+
+/// Transfinite (Coons) map of the four sides; nodes on the sides by arc length. Quadrilaterals, or triangles by
+/// alternating diagonals. Throws InputError if an element is turned over: the message names `panel` and the place.
+Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const GridOptions& options);
+
+/// Adds the grid as a block with nodes, elements and the edges "<panel>.bottom", ".right", ".top", ".left".
+/// `placed`: one point a node; `wale_angle` in radians from the pattern's x axis.
+void add_panel(Mesh& mesh, const std::string& panel, const std::string& material, const Grid& grid,
+               const std::vector<Vec3>& placed, double wale_angle);
+
+}  // namespace toile::mesh

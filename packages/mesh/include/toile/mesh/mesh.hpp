@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace toile::mesh {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+
+/// Elements of one panel with the same number of nodes.
+struct Block {
+  std::string name;               ///< panel's name, unique in the mesh
+  std::string material;           ///< name of the "Material" entry
+  int nodes_per_element = 4;      ///< 4: quadrilateral, 3: triangle; counter-clockwise in the pattern
+  std::vector<int> connectivity;  ///< node ids, nodes_per_element each
+  /// Angle (radians) from the pattern's x axis to the wale direction, one an element.
+  std::vector<double> wale_angle;
+  /// Relative position 0..1 along the panel of each element's centroid (for graduated fabrics).
+  std::vector<double> position;
+
+  int size() const { return static_cast<int>(connectivity.size()) / nodes_per_element; }
+};
+
+/// The whole garment, the same on every rank. Every panel has nodes of its own: seams tie them (see garment::Seam).
+struct Mesh {
+  std::vector<Vec2> pattern;  ///< [node] stress-free coordinates in the panel's own plane, mm
+  std::vector<Vec3> placed;   ///< [node] start in space, mm
+  std::vector<Block> blocks;
+  /// Ordered nodes along each named edge of each panel: "front.left", "front.top", ...
+  std::map<std::string, std::vector<int>> edges;
+
+  int nodes() const { return static_cast<int>(pattern.size()); }
+  int elements() const;
+};
+
+}  // namespace toile::mesh

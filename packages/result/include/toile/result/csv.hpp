@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/result/field_name.hpp"
+
+namespace toile::result {
+
+struct Column {
+  FieldName name;
+  std::vector<double> values;
+};
+
+/// Columns of equal length, optionally with a text in front of each row.
+struct Table {
+  std::string row_title;
+  std::vector<std::string> row_names;  ///< empty: none
+  std::vector<Column> columns;
+};
+
+/// Comma-separated values with one header line, "name [unit]", and 10 significant digits; a value that is not a number
+/// is an empty cell. Throws InputError if the file cannot be written.
+void write_csv(const std::string& path, const Table& table);
+
+}  // namespace toile::result

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace toile::result {
+
+/// Points (x, y) of one curve; a pair that is not a number interrupts the line.
+struct Series {
+  std::string title;  ///< in the legend; empty: not listed
+  std::vector<double> x;
+  std::vector<double> y;
+  bool line = true;
+  bool markers = false;
+  std::vector<std::string> labels;  ///< text beside each point; empty: none
+};
+
+/// Second scale of the y axis: value = factor * y.
+struct SecondAxis {
+  std::string label;
+  double factor = 1.0;
+};
+
+struct Plot {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<Series> series;
+  std::optional<SecondAxis> second_axis;
+  bool y_from_zero = false;
+};
+
+/// Writes `folder`/`name`.dat (the points) and `folder`/`name`.gp (a script that can be edited and run again in that
+/// folder), and lets gnuplot draw `name`.svg and `name`.png from them. Returns a warning if gnuplot is not there or
+/// fails; a plot is never a reason to end a run. Throws InputError if the folder cannot be written.
+std::optional<std::string> write_plot(const std::string& folder, const std::string& name, const Plot& plot);
+
+}  // namespace toile::result

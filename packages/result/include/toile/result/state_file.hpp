@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace toile::result {
+
+/// Named arrays from which a run continues; names without '/'.
+struct StateData {
+  std::map<std::string, std::vector<double>> reals;
+  std::map<std::string, std::vector<int>> integers;
+  std::map<std::string, std::string> metadata;  ///< for instance the scene's file and the stage's name
+};
+
+/// Writes the state as HDF5 (groups "reals", "integers", "metadata"): first under a temporary name (path + ".new"),
+/// then, when it is safely on disk, renamed, so that `path` is always a complete state, the old one or the new one.
+/// Throws InputError if it cannot be written; the older file is then untouched.
+void write_state(const std::string& path, const StateData& state);
+
+/// The same arrays, bit for bit. Throws InputError if the file is missing, damaged or not a state of this program.
+StateData read_state(const std::string& path);
+
+}  // namespace toile::result

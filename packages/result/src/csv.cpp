@@ -1,0 +1,79 @@
+#include "toile/result/csv.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+
+#include "file_access.hpp"
+#include "toile/base/error.hpp"
+
+namespace toile::result {
+namespace {
+
+/// Quoted where commas or quotes need it (RFC 4180).
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter;
+    if (letter == '"') {
+      quoted += letter;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string header(const FieldName& name) {
+  return cell(name.unit.empty() ? name.name : name.name + " [" + name.unit + "]");
+}
+
+void write_header(std::ostream& out, const Table& table) {
+  const char* separator = "";
+  if (!table.row_names.empty()) {
+    out << cell(table.row_title);
+    separator = ",";
+  }
+  for (const Column& column : table.columns) {
+    out << separator << header(column.name);
+    separator = ",";
+  }
+  out << '\n';
+}
+
+void write_row(std::ostream& out, const Table& table, std::size_t row) {
+  const char* separator = "";
+  if (!table.row_names.empty()) {
+    out << cell(table.row_names[row]);
+    separator = ",";
+  }
+  for (const Column& column : table.columns) {
+    out << separator;
+    if (std::isfinite(column.values[row])) {
+      out << column.values[row];
+    }
+    separator = ",";
+  }
+  out << '\n';
+}
+
+}  // namespace
+
+void write_csv(const std::string& path, const Table& table) {
+  const std::string failure = "cannot write the table '" + path + "': ";
+  check_access(path, "wb", failure);
+  std::ofstream out(path);
+  out << std::setprecision(10);
+  write_header(out, table);
+  const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().values.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    write_row(out, table, row);
+  }
+  out.close();
+  if (!out) {
+    throw base::InputError(failure + "the disk may be full");
+  }
+}
+
+}  // namespace toile::result

@@ -1,0 +1,96 @@
+#include "exodus_file.hpp"
+
+#include <utility>
+
+#include "file_access.hpp"
+#include "toile/base/error.hpp"
+#include "toile/result/exodus_writer.hpp"
+
+namespace toile::result {
+namespace {
+
+std::string reason() {
+  const char* text = nullptr;
+  const char* function = nullptr;
+  int code = 0;
+  ex_get_err(&text, &function, &code);
+  return std::string(text) + " (code " + std::to_string(code) + ")";
+}
+
+int use_long_names(int id) {
+  ex_set_max_name_length(id, longest_name);
+  return id;
+}
+
+}  // namespace
+
+ExodusFile ExodusFile::create(const std::string& path) {
+  const std::string failure = "cannot create the Exodus file '" + path + "': ";
+  check_access(path, "wb", failure);
+  ex_opts(EX_DEFAULT);
+  int memory_word = sizeof(double);
+  int file_word = sizeof(double);
+  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_NETCDF4 | EX_NOCLASSIC, &memory_word, &file_word);
+  if (id < 0) {
+    throw base::InputError(failure + reason());
+  }
+  return ExodusFile(path, use_long_names(id));
+}
+
+ExodusFile ExodusFile::open(const std::string& path) {
+  const std::string failure = "cannot open the Exodus file '" + path + "' for the next step: ";
+  check_access(path, "r+b", failure);
+  ex_opts(EX_DEFAULT);
+  int memory_word = sizeof(double);
+  int file_word = 0;
+  float version = 0.0F;
+  const int id = ex_open(path.c_str(), EX_WRITE, &memory_word, &file_word, &version);
+  if (id < 0) {
+    throw base::InputError(failure + reason());
+  }
+  return ExodusFile(path, use_long_names(id));
+}
+
+ExodusFile::ExodusFile(ExodusFile&& other) noexcept
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+
+ExodusFile::~ExodusFile() {
+  if (id_ >= 0) {
+    ex_close(id_);
+  }
+}
+
+void ExodusFile::check(int status, const char* action) const {
+  if (status < 0) {
+    throw base::InputError("cannot write " + std::string(action) + " to the Exodus file '" + path_ + "': " + reason());
+  }
+}
+
+void ExodusFile::put_variable_names(ex_entity_type type, const std::vector<std::string>& names) const {
+  if (names.empty()) {
+    return;
+  }
+  const int count = static_cast<int>(names.size());
+  check(ex_put_variable_param(id_, type, count), "the number of fields");
+  check(ex_put_variable_names(id_, type, count, pointers(names).data()), "the names of fields");
+}
+
+void ExodusFile::put_variable(int step, ex_entity_type type, int index, int object,
+                              const std::vector<double>& values) const {
+  check(ex_put_var(id_, step, type, index, object, static_cast<std::int64_t>(values.size()), values.data()), "a field");
+}
+
+void ExodusFile::close() {
+  const int id = std::exchange(id_, -1);
+  check(ex_close(id), "the end of a step");
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) {
+    result.push_back(const_cast<char*>(text.c_str()));
+  }
+  return result;
+}
+
+}  // namespace toile::result

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+namespace toile::result {
+
+/// An HDF5 object, released at the end of the scope.
+class Hdf5Handle {
+ public:
+  Hdf5Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(id), closer_(closer) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), closer_(other.closer_) { other.id_ = -1; }
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+  ~Hdf5Handle();
+  hid_t id() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+  /// Releases it now; negative if that fails.
+  herr_t release();
+
+ private:
+  hid_t id_;
+  herr_t (*closer_)(hid_t);
+};
+
+/// A file; every failing call throws InputError that starts with `failure`.
+class Hdf5File {
+ public:
+  static Hdf5File create(const std::string& path, const std::string& failure);
+  /// `flags`: H5F_ACC_RDONLY or H5F_ACC_RDWR.
+  static Hdf5File open(const std::string& path, unsigned flags, const std::string& failure);
+
+  hid_t id() const { return handle_.id(); }
+  /// Takes the result of an HDF5 function that opens or creates something.
+  Hdf5Handle own(hid_t id, herr_t (*closer)(hid_t), const std::string& what) const;
+  void check(herr_t status, const std::string& what) const;
+  /// Writes everything and closes the file.
+  void close();
+
+  void put_text_attribute(hid_t object, const char* name, const std::string& value) const;
+  /// Names of the links in a group, in alphabetical order.
+  std::vector<std::string> names(hid_t group) const;
+
+ private:
+  Hdf5File(Hdf5Handle handle, std::string failure) : handle_(std::move(handle)), failure_(std::move(failure)) {}
+
+  Hdf5Handle handle_;
+  std::string failure_;
+};
+
+/// Fixed-length text type; at least one character, as HDF5 wants.
+hid_t text_type(std::size_t length);
+
+}  // namespace toile::result

@@ -1,0 +1,176 @@
+#include "toile/result/state_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "hdf5_file.hpp"
+#include "toile/base/error.hpp"
+
+namespace toile::result {
+namespace {
+
+constexpr int format_version = 1;
+constexpr const char* version_name = "toile_state_version";
+
+/// How one kind of value is stored.
+struct Kind {
+  const char* group;
+  hid_t stored;
+  hid_t memory;
+};
+
+Kind kind_of(double) {
+  return {"reals", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
+}
+Kind kind_of(int) {
+  return {"integers", H5T_STD_I32LE, H5T_NATIVE_INT};
+}
+
+Hdf5Handle create_group(const Hdf5File& file, const char* name) {
+  return file.own(H5Gcreate2(file.id(), name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
+}
+
+Hdf5Handle open_group(const Hdf5File& file, const char* name) {
+  return file.own(H5Gopen2(file.id(), name, H5P_DEFAULT), H5Gclose, name);
+}
+
+Hdf5Handle create_dataset(const Hdf5File& file, hid_t group, const std::string& name, hid_t type, hid_t space) {
+  if (name.empty() || name.find('/') != std::string::npos) {
+    throw base::Error(base::ExitCode::internal_error, "'" + name + "' cannot be the name of an array of a state");
+  }
+  return file.own(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, name);
+}
+
+template <class T>
+void put_arrays(const Hdf5File& file, const std::map<std::string, std::vector<T>>& arrays) {
+  const Kind kind = kind_of(T());
+  const Hdf5Handle group = create_group(file, kind.group);
+  for (const auto& [name, values] : arrays) {
+    const hsize_t size = values.size();
+    const Hdf5Handle space = file.own(H5Screate_simple(1, &size, nullptr), H5Sclose, name);
+    const Hdf5Handle data = create_dataset(file, group.id(), name, kind.stored, space.id());
+    file.check(H5Dwrite(data.id(), kind.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  }
+}
+
+template <class T>
+std::map<std::string, std::vector<T>> get_arrays(const Hdf5File& file) {
+  const Kind kind = kind_of(T());
+  const Hdf5Handle group = open_group(file, kind.group);
+  std::map<std::string, std::vector<T>> arrays;
+  for (const std::string& name : file.names(group.id())) {
+    const Hdf5Handle data = file.own(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    const Hdf5Handle space = file.own(H5Dget_space(data.id()), H5Sclose, name);
+    std::vector<T>& values = arrays[name];
+    values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    file.check(H5Dread(data.id(), kind.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  }
+  return arrays;
+}
+
+void put_metadata(const Hdf5File& file, const std::map<std::string, std::string>& metadata) {
+  const Hdf5Handle group = create_group(file, "metadata");
+  const Hdf5Handle space = file.own(H5Screate(H5S_SCALAR), H5Sclose, "metadata");
+  for (const auto& [name, text] : metadata) {
+    const Hdf5Handle type = file.own(text_type(text.size()), H5Tclose, name);
+    const Hdf5Handle data = create_dataset(file, group.id(), name, type.id(), space.id());
+    file.check(H5Dwrite(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), name);
+  }
+}
+
+std::map<std::string, std::string> get_metadata(const Hdf5File& file) {
+  const Hdf5Handle group = open_group(file, "metadata");
+  std::map<std::string, std::string> metadata;
+  for (const std::string& name : file.names(group.id())) {
+    const Hdf5Handle data = file.own(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    const Hdf5Handle type = file.own(H5Dget_type(data.id()), H5Tclose, name);
+    std::string text(H5Tget_size(type.id()), '\0');
+    file.check(H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), name);
+    metadata[name] = text.substr(0, text.find_last_not_of('\0') + 1);
+  }
+  return metadata;
+}
+
+void put_version(const Hdf5File& file) {
+  const Hdf5Handle space = file.own(H5Screate(H5S_SCALAR), H5Sclose, version_name);
+  const Hdf5Handle attribute = file.own(
+      H5Acreate2(file.id(), version_name, H5T_STD_I32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, version_name);
+  file.check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &format_version), version_name);
+}
+
+void check_version(const Hdf5File& file, const std::string& failure) {
+  if (H5Aexists(file.id(), version_name) <= 0) {
+    throw base::InputError(failure + "it is not a state that Toile wrote");
+  }
+  int version = 0;
+  const Hdf5Handle attribute = file.own(H5Aopen(file.id(), version_name, H5P_DEFAULT), H5Aclose, version_name);
+  file.check(H5Aread(attribute.id(), H5T_NATIVE_INT, &version), version_name);
+  if (version != format_version) {
+    throw base::InputError(failure + "its format is version " + std::to_string(version) + ", this program reads " +
+                           std::to_string(format_version));
+  }
+}
+
+/// Removes the temporary file unless it was renamed.
+class TemporaryFile {
+ public:
+  TemporaryFile(std::string path, std::string failure) : path_(std::move(path)), failure_(std::move(failure)) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (created_) {
+      std::remove(path_.c_str());
+    }
+  }
+  const std::string& path() const { return path_; }
+  void created() { created_ = true; }
+  /// Waits until the data are on disk: a rename that overtakes them could leave an empty file after a power cut.
+  void rename_to(const std::string& target) {
+    const int descriptor = ::open(path_.c_str(), O_RDONLY);
+    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+    if (descriptor >= 0) {
+      ::close(descriptor);
+    }
+    if (!synced || std::rename(path_.c_str(), target.c_str()) != 0) {
+      throw base::InputError(failure_ + std::strerror(errno));
+    }
+    created_ = false;
+  }
+
+ private:
+  std::string path_;
+  std::string failure_;
+  bool created_ = false;
+};
+
+}  // namespace
+
+void write_state(const std::string& path, const StateData& state) {
+  const std::string failure = "cannot write the state file '" + path + "': ";
+  TemporaryFile temporary(path + ".new", failure);
+  Hdf5File file = Hdf5File::create(temporary.path(), failure);
+  temporary.created();
+  put_version(file);
+  put_arrays(file, state.reals);
+  put_arrays(file, state.integers);
+  put_metadata(file, state.metadata);
+  file.close();
+  temporary.rename_to(path);
+}
+
+StateData read_state(const std::string& path) {
+  const std::string failure = "cannot read the state file '" + path + "': ";
+  const Hdf5File file = Hdf5File::open(path, H5F_ACC_RDONLY, failure);
+  check_version(file, failure);
+  StateData state;
+  state.reals = get_arrays<double>(file);
+  state.integers = get_arrays<int>(file);
+  state.metadata = get_metadata(file);
+  return state;
+}
+
+}  // namespace toile::result

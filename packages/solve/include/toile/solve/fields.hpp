@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "toile/solve/problem.hpp"
+#include "toile/solve/simulation.hpp"
+
+namespace toile::solve {
+
+/// One named field: a value per node (scalar or three components) or per element.
+struct NamedField {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// What is written of one state. Units are in the names' documentation (doc/user-guide.md).
+struct Fields {
+  std::vector<Vec3> position;      ///< [node] mm
+  std::vector<double> pressure;    ///< [node] MPa per current mid-surface area; nodes of a seam share one value
+  std::vector<double> gap;         ///< [node] mm, of the fabric's contact surface; 0 without a body
+  std::vector<Vec3> normal;        ///< [node] of the body at the closest point
+  std::vector<double> area;        ///< [node] current area that belongs to the node alone, mm^2
+  /// [block] element means over the integration points: stretch_wale, stretch_course, ... (see fields.cpp's table)
+  std::vector<std::vector<NamedField>> element;
+  double smallest_principal_stress = 0.0;  ///< Cauchy, MPa
+  double largest_extrapolation = 0.0;      ///< largest fibre stretch in an element outside the calibrated range; 0: none
+  std::string extrapolated_where;          ///< block and element of it
+};
+
+/// Evaluates the whole garment on the calling rank.
+Fields compute_fields(const Problem& problem, const State& state);
+
+/// Sum over the garment of pressure times area times normal of the written fields: what the garment feels of the body
+/// (N).
+Vec3 pressure_resultant(const Fields& fields);
+
+/// Names of the element fields, in their order.
+const std::vector<std::string>& element_field_names();
+
+}  // namespace toile::solve

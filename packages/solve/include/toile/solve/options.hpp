@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace toile::solve {
+
+/// How linear systems are solved.
+struct LinearOptions {
+  std::string method = "cg";          ///< "cg", "gmres" (Belos) or "direct" (factorisation of every tangent)
+  double tolerance = 1e-10;           ///< relative residual
+  int kept_iterations = 12;           ///< a kept factorisation that needs more is renewed
+};
+
+/// How a step is brought to equilibrium.
+struct NewtonOptions {
+  double tolerance = 1e-10;      ///< residual over the norm of the nodal forces that meet in it
+  double gap_tolerance = 1e-6;   ///< largest gap of a node in contact, mm
+  int max_iterations = 60;
+};
+
+/// Artificial damping of a stage.
+struct DampingOptions {
+  bool active = false;
+  double fraction = 2e-4;  ///< dissipated energy of the first step over its strain energy
+  double limit = 0.05;     ///< accumulated dissipation over the largest strain energy that is still called quasi-static
+};
+
+enum class StageType {
+  sew,    ///< closes the seams
+  load,   ///< moves the supports and applies the loads
+  settle  ///< finds the equilibrium at fixed seams, supports and loads
+};
+
+struct StageOptions {
+  std::string name;
+  StageType type = StageType::settle;
+  double target = 1.0;  ///< load (or closing of the seams) at the end
+  double first_step = 0.1;
+  double smallest_step = 1e-4;
+  double largest_step = 0.5;
+  int max_steps = 200;
+  DampingOptions damping;
+  std::vector<std::string> released;  ///< supports that end with the start of this stage
+};
+
+struct SolverOptions {
+  LinearOptions linear;
+  NewtonOptions newton;
+};
+
+}  // namespace toile::solve

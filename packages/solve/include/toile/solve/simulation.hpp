@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "toile/solve/options.hpp"
+#include "toile/solve/problem.hpp"
+
+namespace toile::solve {
+
+/// Forces of a configuration, summed over the garment (N). They add up to zero in equilibrium.
+struct ForceBalance {
+  Vec3 contact = Vec3::Zero();  ///< of the body on the garment
+  Vec3 support = Vec3::Zero();
+  Vec3 load = Vec3::Zero();
+  Vec3 damping = Vec3::Zero();
+  Vec3 pins = Vec3::Zero();
+  double magnitude = 0.0;  ///< sum of the magnitudes of the nodal forces
+  Vec3 sum() const { return contact + support + load + damping + pins; }
+};
+
+/// One accepted step.
+struct StepReport {
+  std::string stage;
+  int step = 0;             ///< counted over the whole run
+  double parameter = 0.0;   ///< of the stage, 0..1
+  double load = 0.0, seam = 0.0;
+  int iterations = 0;       ///< Newton iterations since the last accepted step, failed attempts included
+  int cut_backs = 0;        ///< failed attempts since the last accepted step
+  double residual = 0.0;    ///< relative force residual
+  double gap = 0.0;         ///< largest violation of contact, mm
+  double strain_energy = 0.0;       ///< N mm
+  double dissipated = 0.0;          ///< accumulated over the run, N mm
+  double dissipation_ratio = 0.0;   ///< accumulated dissipation over the largest strain energy
+  int negative_pivots = -1;         ///< of the tangent at the accepted state; -1: not known
+  int extrapolated = 0;             ///< elements outside the calibrated range of their fabric
+  bool undamped = false;            ///< this is the final state of its stage, without damping
+  ForceBalance balance;
+  double seconds = 0.0;  ///< wall time since the start of the run
+};
+
+struct SolveStatistics {
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  int factorisations = 0;
+  int steps = 0;
+  int cut_backs = 0;
+  int unknowns = 0;
+  int contact_nodes = 0;
+  double contact_stiffness = 0.0;  ///< N/mm
+};
+
+/// Runs the stages of a scene. Collective over MPI's world; the problem is the same on every rank.
+class Simulation {
+ public:
+  using Observer = std::function<void(const StepReport&, const State&)>;
+
+  Simulation(const Problem& problem, const SolverOptions& options);
+  ~Simulation();
+
+  /// Called on every rank after each accepted step.
+  void observe(Observer observer);
+  /// Continues from a state (restart, or a start of the caller's own).
+  void set_state(const State& state);
+  /// Takes the garment through one stage. Throws base::SolveError if its end cannot be reached; state() is then the
+  /// last converged one.
+  void run(const StageOptions& stage);
+
+  const State& state() const;
+  const SolveStatistics& statistics() const;
+  /// What the run has to tell: null motions that were pinned, a path that was not quasi-static, ...
+  const std::vector<std::string>& notes() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace toile::solve

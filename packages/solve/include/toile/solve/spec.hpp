@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/base/parameters.hpp"
+#include "toile/mesh/mesh.hpp"
+#include "toile/solve/options.hpp"
+#include "toile/solve/problem.hpp"
+
+namespace toile::solve {
+
+/// List "Stages": one entry a stage, in the order in which they run.
+base::Spec stages_spec();
+std::vector<StageOptions> read_stages(const base::List& list);
+
+/// List "Solver".
+base::Spec solver_spec();
+SolverOptions read_solver(const base::List& list);
+
+/// List "Contact".
+base::Spec contact_spec();
+ContactOptions read_contact(const base::List& list);
+
+/// List "Supports": one entry a support. Sets are edges ("front.top") or whole panels ("front").
+base::Spec supports_spec();
+std::vector<Support> read_supports(const base::List& list, const mesh::Mesh& mesh);
+
+/// List "Loads": one entry an edge load.
+base::Spec loads_spec();
+std::vector<EdgeLoad> read_loads(const base::List& list, const mesh::Mesh& mesh);
+
+}  // namespace toile::solve

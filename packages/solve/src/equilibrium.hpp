@@ -1,0 +1,140 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "element_assembly.hpp"
+#include "layout.hpp"
+#include "linear_solver.hpp"
+#include "toile/contact/normal_contact.hpp"
+#include "toile/solve/options.hpp"
+#include "toile/solve/problem.hpp"
+#include "toile/solve/simulation.hpp"
+
+namespace toile::solve {
+
+/// Seams and load as functions of the stage's parameter s in [0, 1].
+struct Drive {
+  double seam_start = 0.0, seam_end = 0.0;
+  double load_start = 0.0, load_end = 0.0;
+  double seam(double s) const { return seam_start + (seam_end - seam_start) * s; }
+  double load(double s) const { return load_start + (load_end - load_start) * s; }
+};
+
+/// Residual of one configuration, in the measures that a step is judged by.
+struct Imbalance {
+  double force = 0.0;        ///< norm of the residual, N
+  double force_scale = 0.0;  ///< norm of the magnitudes that meet in it, N
+  double gap = 0.0;          ///< largest violation of contact, mm
+  double relative() const { return force_scale > 0.0 ? force / force_scale : force; }
+};
+
+/// Discrete equilibrium of one stage: residual, tangent and energy as functions of the state vector z = (free
+/// components of the clusters' positions, one multiplier per contact node) and of the stage's parameter s.
+class Equilibrium {
+ public:
+  Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
+              std::vector<std::array<bool, 3>> pinned, const Drive& drive, bool seams_closed, const SolverOptions& options,
+              RCP<const Comm> comm);
+
+  const RCP<const Map>& map() const { return layout_.state_map; }
+  RCP<Vector> start_vector() const { return vector_of(start_); }
+  RCP<Vector> vector_of(const State& state) const;
+  int global_contact_nodes() const;
+  double contact_stiffness() const { return stiffness_; }
+
+  /// f = (residual of the forces, N; contact complementarity, mm). NaN where a material point has no energy.
+  void residual(const Vector& z, double s, Vector& f);
+  /// Forms the tangent at (z, s).
+  void linearise(const Vector& z, double s);
+  /// Newton step: solves the tangent's system for the right-hand side b = (b_x, b_contact). False: no solution.
+  bool solve(const Vector& b, Vector& dz);
+  /// y = tangent times x.
+  void apply(const Vector& x, Vector& y) const;
+
+  /// Potential of the step (strain, loads, damping, augmented contact) with the multipliers held at those of `frozen`.
+  double energy(const Vector& z, const Vector& frozen, double s);
+
+  /// Directional derivative of energy(z, z, s) along dz, given f at z (N mm).
+  double force_slope(const Vector& f, const Vector& dz) const;
+  /// Sum of the magnitudes that cancel in the energy's differences, N mm.
+  double energy_scale() const { return std::abs(strain_energy_); }
+
+  Imbalance imbalance(const Vector& f) const;
+  State state(const Vector& z, double s) const;
+  ForceBalance balance(const Vector& z, double s);
+
+  double strain_energy() const { return strain_energy_; }
+  /// Negative pivots of the last fresh tangent before any shift (contact multipliers are not in it).
+  int unshifted_negative_pivots() const { return unshifted_pivots_; }
+  int extrapolated() const { return extrapolated_; }
+  const LinearSolver& linear() const { return linear_; }
+
+  // Damping and offsets: changed only between steps.
+  void start_step(const Vector& converged, double s);  ///< x_n of the damping; the tangent will be factorised afresh
+  void set_damping(double coefficient) { damping_ = coefficient; }
+  double damping() const { return damping_; }
+  void set_first_step(double ds) { smallest_interval_ = ds; }
+  double mean_tangent_diagonal() const { return mean_diagonal_; }
+  double mean_mass() const { return mean_mass_; }
+  double dissipation(const Vector& z, double s);  ///< c sum M* |x - x_n|^2 / dt, N mm, of the step from x_n to z
+  /// Sets the contact offsets to half the present thickness; returns the largest change (mm).
+  double update_offsets(const Vector& z, double s);
+  /// Multipliers that balance the present strain forces at touching nodes.
+  void balance_multipliers(Vector& z, double s);
+
+ private:
+  void positions(const Vector& z, double s);
+  Vec3 cluster_position(size_t c) const;
+  Vec3 separation(int node, int cluster, double s) const;
+  contact::NodeContact contact(size_t i, double s, double multiplier) const;
+  void find_diagonal_blocks();
+  void find_loads();
+  void scale();
+  std::vector<double> damping_force(double s) const;
+  void add_contact_tangent(const Vector& z, double s, double* values);
+  void add_to_diagonal(double factor, double* values) const;
+  double interval(double s) const;
+  void factorise_positive();
+  double sum(double mine) const;
+
+  const Problem& problem_;
+  const SolverOptions options_;
+  Drive drive_;
+  Layout layout_;
+  RCP<const Graph> graph_;
+  RCP<Matrix> tangent_;
+  ElementAssembly elements_;
+  LinearSolver linear_;
+  std::vector<std::array<bool, 3>> pinned_;  ///< [local cluster] held only against a null motion
+  std::vector<std::array<std::array<std::int64_t, 3>, 3>> diagonal_;  ///< [owned cluster] places in the tangent or -1
+  std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
+
+  std::vector<double> y_;  ///< [local cluster][3] position of the master at the last evaluation
+  std::vector<double> x_;  ///< [local node][3]
+  std::vector<double> magnitude_;  ///< [local cluster][3] N
+  std::vector<double> mass_;        ///< [local node] reference area, mm^2
+  std::vector<double> load_;        ///< [local cluster][3] dead load at load 1, N
+  std::vector<double> x_previous_;  ///< [local node][3]
+  double s_previous_ = 0.0;
+  double smallest_interval_ = 0.1;
+  double damping_ = 0.0;
+  State start_;
+  std::vector<double> offset_;     ///< [contact node] mm
+  double stiffness_ = 0.0;         ///< augmentation of contact, N/mm
+  double mean_diagonal_ = 0.0, mean_mass_ = 0.0;
+  double strain_energy_ = 0.0;
+  int unshifted_pivots_ = -1;
+  int extrapolated_ = 0;
+  bool want_fresh_ = true;
+  struct Active {
+    std::array<LocalId, 3> dof;
+    Vec3 normal;
+    bool active;
+  };
+  std::vector<Active> active_;  ///< [contact node] at the last linearisation
+};
+
+}  // namespace toile::solve

@@ -1,0 +1,137 @@
+#include "layout.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace toile::solve {
+
+namespace {
+
+std::vector<int> clusters_of_nodes(const Problem& problem) {
+  std::vector<int> of(problem.mesh->nodes(), -1);
+  for (size_t c = 0; c < problem.clusters.size(); ++c)
+    for (const int node : problem.clusters[c]) of[node] = static_cast<int>(c);
+  return of;
+}
+
+}  // namespace
+
+Layout::Layout(const Problem& problem, std::vector<std::array<HeldComponent, 3>> all_held, bool seams_closed,
+               RCP<const Comm> communicator)
+    : comm(std::move(communicator)) {
+  find_local(problem);
+  number(problem, all_held);
+  if (problem.surface != nullptr) find_contact_nodes(problem, seams_closed);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const size_t local = dof_map->getNodeNumElements() + contact_nodes.size();
+  state_map = rcp(new Map(unknown, local, 0, comm));
+}
+
+void Layout::find_local(const Problem& problem) {
+  const int rank = comm->getRank();
+  const std::vector<int> cluster_of = clusters_of_nodes(problem);
+  for (size_t c = 0; c < problem.clusters.size(); ++c)
+    if (problem.cluster_rank[c] == rank) clusters.push_back(static_cast<int>(c));
+  owned_clusters = static_cast<int>(clusters.size());
+
+  std::set<int> ghosts, all_nodes;
+  for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) {
+    const mesh::Block& block = problem.mesh->blocks[b];
+    BlockPart part{static_cast<int>(b), {}, {}, {}};
+    for (int e = 0; e < block.size(); ++e) {
+      const int* node = &block.connectivity[static_cast<size_t>(e) * block.nodes_per_element];
+      const bool touches = std::any_of(node, node + block.nodes_per_element,
+                                       [&](int n) { return problem.cluster_rank[cluster_of[n]] == rank; });
+      const bool owned = problem.element_rank[b][e] == rank;
+      if (!touches && !owned) continue;
+      part.elements.push_back(e);
+      part.owned.push_back(owned ? 1 : 0);
+      for (int i = 0; i < block.nodes_per_element; ++i) {
+        all_nodes.insert(node[i]);
+        if (problem.cluster_rank[cluster_of[node[i]]] != rank) ghosts.insert(cluster_of[node[i]]);
+      }
+    }
+    blocks.push_back(std::move(part));
+  }
+  clusters.insert(clusters.end(), ghosts.begin(), ghosts.end());
+  // Members of owned clusters that no local element touches cannot exist: their elements touch the cluster.
+  nodes.assign(all_nodes.begin(), all_nodes.end());
+
+  std::vector<int> local_cluster(problem.clusters.size(), -1), local_node(problem.mesh->nodes(), -1);
+  for (size_t c = 0; c < clusters.size(); ++c) local_cluster[clusters[c]] = static_cast<int>(c);
+  for (size_t n = 0; n < nodes.size(); ++n) {
+    local_node[nodes[n]] = static_cast<int>(n);
+    node_cluster.push_back(local_cluster[cluster_of[nodes[n]]]);
+  }
+  for (BlockPart& part : blocks) {
+    const mesh::Block& block = problem.mesh->blocks[part.block];
+    for (const int e : part.elements)
+      for (int i = 0; i < block.nodes_per_element; ++i)
+        part.nodes.push_back(local_node[block.connectivity[static_cast<size_t>(e) * block.nodes_per_element + i]]);
+  }
+}
+
+void Layout::number(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held) {
+  // Unknowns are numbered rank by rank, then by cluster: every rank can work out the number of a ghost.
+  std::vector<GlobalId> next(comm->getSize() + 1, 0);
+  for (size_t c = 0; c < problem.clusters.size(); ++c)
+    for (const HeldComponent& h : all_held[c]) next[problem.cluster_rank[c] + 1] += h.held ? 0 : 1;
+  for (size_t r = 1; r < next.size(); ++r) next[r] += next[r - 1];
+  std::vector<std::array<GlobalId, 3>> global(problem.clusters.size());
+  for (size_t c = 0; c < problem.clusters.size(); ++c)
+    for (int i = 0; i < 3; ++i) global[c][i] = all_held[c][i].held ? -1 : next[problem.cluster_rank[c]]++;
+
+  std::vector<GlobalId> columns;
+  size_t owned = 0;
+  for (size_t c = 0; c < clusters.size(); ++c) {
+    held.push_back(all_held[clusters[c]]);
+    std::array<LocalId, 3> ids{};
+    for (int i = 0; i < 3; ++i) {
+      const GlobalId id = global[clusters[c]][i];
+      ids[i] = id < 0 ? -1 : static_cast<LocalId>(columns.size());
+      if (id >= 0) columns.push_back(id);
+    }
+    dof.push_back(ids);
+    if (static_cast<int>(c) == owned_clusters - 1) owned = columns.size();
+  }
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const Teuchos::ArrayView<const GlobalId> view(columns);
+  dof_map = rcp(new Map(unknown, view(0, owned), 0, comm));
+  overlap_map = rcp(new Map(unknown, view, 0, comm));
+  importer = rcp(new Import(dof_map, overlap_map));
+}
+
+void Layout::find_contact_nodes(const Problem& problem, bool seams_closed) {
+  for (int c = 0; c < owned_clusters; ++c) {
+    const std::vector<int>& members = problem.clusters[clusters[c]];
+    const size_t count = seams_closed ? 1 : members.size();
+    for (size_t m = 0; m < count; ++m) contact_nodes.push_back({members[m], c});
+  }
+}
+
+RCP<const Graph> make_graph(const Layout& layout) {
+  const size_t rows = layout.dof_map->getNodeNumElements();
+  std::vector<std::set<LocalId>> columns(rows);
+  for (const Layout::BlockPart& part : layout.blocks) {
+    const size_t count = part.elements.size();
+    const size_t per = count == 0 ? 0 : part.nodes.size() / count;
+    for (size_t e = 0; e < count; ++e) {
+      std::vector<LocalId> ids;
+      for (size_t i = 0; i < per; ++i)
+        for (const LocalId d : layout.dof[layout.node_cluster[part.nodes[e * per + i]]])
+          if (d >= 0) ids.push_back(d);
+      for (const LocalId row : ids)
+        if (static_cast<size_t>(row) < rows) columns[row].insert(ids.begin(), ids.end());
+    }
+  }
+  Teuchos::ArrayRCP<size_t> offsets(rows + 1, 0);
+  for (size_t r = 0; r < rows; ++r) offsets[r + 1] = offsets[r] + columns[r].size();
+  Teuchos::ArrayRCP<LocalId> indices(offsets[rows]);
+  for (size_t r = 0; r < rows; ++r) std::copy(columns[r].begin(), columns[r].end(), indices.begin() + offsets[r]);
+  RCP<Graph> graph = rcp(new Graph(layout.dof_map, layout.overlap_map, offsets, indices));
+  graph->fillComplete(layout.dof_map, layout.dof_map);
+  return graph;
+}
+
+}  // namespace toile::solve

@@ -1,0 +1,83 @@
+#include "newton.hpp"
+
+#include <LOCA_MultiContinuation_ExtendedGroup.H>
+#include <LOCA_MultiContinuation_ExtendedVector.H>
+#include <NOX_LineSearch_UserDefinedFactoryT.H>
+#include <NOX_Solver_Generic.H>
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::solve {
+
+const EquilibriumGroup& unwrap(const NOX::Abstract::Group& group) {
+  if (const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup*>(&group))
+    return unwrap(*extended->getUnderlyingGroup());
+  return dynamic_cast<const EquilibriumGroup&>(group);
+}
+
+const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector) {
+  if (const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&vector))
+    return *extended->getXVec();
+  return vector;
+}
+
+NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {
+  const EquilibriumGroup& group = unwrap(solver.getSolutionGroup());
+  iterations_ = solver.getNumIterations();
+  last_ = group.equilibrium().imbalance(EquilibriumGroup::tpetra(group.getF()));
+  status_ = NOX::StatusTest::Unconverged;
+  if (last_.relative() <= options_.tolerance && last_.gap <= options_.gap_tolerance)
+    status_ = NOX::StatusTest::Converged;
+  else if (!std::isfinite(last_.force) || !std::isfinite(last_.gap) || iterations_ >= options_.max_iterations)
+    status_ = NOX::StatusTest::Failed;
+  return status_;
+}
+
+std::ostream& BalanceTest::print(std::ostream& stream, int indent) const {
+  return stream << std::string(static_cast<size_t>(indent), ' ') << "relative force residual " << last_.relative()
+                << ", largest gap " << last_.gap << " mm\n";
+}
+
+bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const NOX::Abstract::Vector& direction,
+                               const NOX::Solver::Generic& solver) {
+  constexpr double armijo = 1e-4, round_off = 1e-13;
+  constexpr int most_halvings = 20;
+  const NOX::Abstract::Group& previous = solver.getPreviousSolutionGroup();
+  const EquilibriumGroup& old_group = unwrap(previous);
+  Equilibrium& equilibrium = old_group.equilibrium();
+  const Vector& z = EquilibriumGroup::tpetra(old_group.getX());
+  const double s = old_group.parameter();
+  const double old_energy = equilibrium.energy(z, z, s);
+  const double slope = equilibrium.force_slope(EquilibriumGroup::tpetra(old_group.getF()),
+                                               EquilibriumGroup::tpetra(unwrap(direction)));
+  step = 1.0;
+  for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
+    next.computeX(previous, direction, step);
+    if (next.computeF() != NOX::Abstract::Group::Ok) continue;
+    const EquilibriumGroup& new_group = unwrap(next);
+    const double new_energy =
+        equilibrium.energy(EquilibriumGroup::tpetra(new_group.getX()), z, new_group.parameter());
+    if (!std::isfinite(new_energy) || !std::isfinite(new_group.getNormF())) continue;
+    const double noise = round_off * std::max(std::abs(old_energy), equilibrium.energy_scale());
+    if (new_energy <= old_energy + armijo * step * std::min(slope, 0.0) + noise) return true;
+  }
+  step = 0.0;
+  return false;
+}
+
+RCP<Teuchos::ParameterList> newton_parameters() {
+  RCP<Teuchos::ParameterList> list = Teuchos::parameterList();
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Direction").set("Method", "Newton");
+  list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", false);
+  Teuchos::ParameterList& search = list->sublist("Line Search");
+  search.set("Method", "User Defined");
+  const RCP<NOX::LineSearch::UserDefinedFactory> factory =
+      rcp(new NOX::LineSearch::UserDefinedFactoryT<EnergyLineSearch>);
+  search.set("User Defined Line Search Factory", factory);
+  list->sublist("Printing").set("Output Information", 0);
+  return list;
+}
+
+}  // namespace toile::solve

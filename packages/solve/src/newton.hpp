@@ -1,0 +1,48 @@
+#pragma once
+
+#include <LOCA_GlobalData.H>
+#include <NOX_LineSearch_Generic.H>
+#include <NOX_StatusTest_Generic.H>
+#include <NOX_Utils.H>
+
+#include <ostream>
+
+#include "equilibrium_group.hpp"
+
+namespace toile::solve {
+
+/// The equilibrium inside a group of NOX or LOCA (LOCA extends the group and its vectors by the parameter).
+const EquilibriumGroup& unwrap(const NOX::Abstract::Group& group);
+const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector);
+
+/// Converged: relative force residual and contact gap are below their tolerances. Failed: too many iterations, or not a
+/// number.
+class BalanceTest : public NOX::StatusTest::Generic {
+ public:
+  explicit BalanceTest(const NewtonOptions& options) : options_(options) {}
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int indent = 0) const override;
+  const Imbalance& last() const { return last_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  NewtonOptions options_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+  Imbalance last_;
+  int iterations_ = 0;
+};
+
+/// Backtracking on the potential of the step, with the contact multipliers held at those of the iteration's start
+/// (Armijo). Where the potential cannot tell any more (round-off), the residual decides.
+class EnergyLineSearch : public NOX::LineSearch::Generic {
+ public:
+  EnergyLineSearch(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) {}
+  bool compute(NOX::Abstract::Group& next, double& step, const NOX::Abstract::Vector& direction,
+               const NOX::Solver::Generic& solver) override;
+};
+
+/// NOX parameters of every solve: Newton with the energy line search, silent.
+RCP<Teuchos::ParameterList> newton_parameters();
+
+}  // namespace toile::solve

@@ -1,0 +1,93 @@
+#include "null_motion.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <sstream>
+
+namespace toile::solve {
+
+namespace {
+
+using Motion = Eigen::Matrix<double, 6, 1>;            // translation t, rotation w about `centre`: r = t + w x (x - centre)
+using Generator = Eigen::Matrix<double, 3, 6>;         // r at one point, per component of the motion
+
+Generator generator(const Vec3& x, const Vec3& centre, double length) {
+  Generator g;
+  const Vec3 a = (x - centre) / length;
+  g.leftCols<3>().setIdentity();
+  g.rightCols<3>() << 0, a[2], -a[1], -a[2], 0, a[0], a[1], -a[0], 0;
+  return g;
+}
+
+std::string vector_text(const Vec3& v) {
+  std::ostringstream out;
+  out.precision(3);
+  const auto clean = [](double x) { return std::abs(x) < 1e-3 ? 0.0 : x; };
+  out << "(" << clean(v[0]) << ", " << clean(v[1]) << ", " << clean(v[2]) << ")";
+  return out.str();
+}
+
+std::string name_of(const Motion& motion, const Vec3& centre, double length) {
+  const Vec3 t = motion.head<3>(), w = motion.tail<3>() / length;
+  if (w.norm() * length < 1e-3 * t.norm()) return "translation along " + vector_text(t.normalized());
+  const Vec3 through = centre + w.cross(t) / w.squaredNorm();
+  return "rotation about the axis " + vector_text(w.normalized()) + " through " + vector_text(through);
+}
+
+}  // namespace
+
+std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state,
+                                          const std::vector<std::array<HeldComponent, 3>>& held, bool seams_closed) {
+  constexpr double touching = 1.0;  // mm: nodes this near count as guided by the body
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : state.position) centre += p / static_cast<double>(state.position.size());
+  double length = 1.0;
+  for (const Vec3& p : state.position) length = std::max(length, (p - centre).norm());
+
+  Eigen::Matrix<double, 6, 6> resistance = Eigen::Matrix<double, 6, 6>::Zero();
+  double scale = 0.0;
+  for (size_t c = 0; c < state.position.size(); ++c) {
+    const Vec3& x = state.position[c];
+    const Generator g = generator(x, centre, length);
+    scale += g.squaredNorm();
+    for (int i = 0; i < 3; ++i)
+      if (held[c][i].held) resistance += g.row(i).transpose() * g.row(i);
+    if (problem.surface != nullptr) {
+      const body::SurfacePoint p = problem.surface->closest(x);
+      const int master = problem.clusters[c].front();
+      if (p.found && std::abs(p.gap - state.offset[master]) < touching) {
+        const Motion normal = g.transpose() * p.normal;
+        resistance += normal * normal.transpose();
+      }
+    }
+    for (size_t m = 1; m < problem.clusters[c].size() && !seams_closed; ++m) {
+      const Generator apart = generator(node_position(problem, state, static_cast<int>(c), problem.clusters[c][m]),
+                                        centre, length) - g;
+      resistance += apart.transpose() * apart;
+    }
+  }
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(resistance);
+  std::vector<NullMotion> motions;
+  std::vector<std::array<bool, 3>> taken(state.position.size(), {false, false, false});
+  for (int k = 0; k < 6; ++k) {
+    if (eigen.eigenvalues()[k] > 1e-9 * scale) continue;
+    const Motion motion = eigen.eigenvectors().col(k);
+    NullMotion found{name_of(motion, centre, length), 0, 0};
+    double largest = 0.0;
+    for (size_t c = 0; c < state.position.size(); ++c) {
+      const Vec3 r = generator(state.position[c], centre, length) * motion;
+      for (int i = 0; i < 3; ++i)
+        if (!taken[c][i] && !held[c][i].held && std::abs(r[i]) > largest * (1.0 + 1e-9)) {
+          largest = std::abs(r[i]);
+          found.cluster = static_cast<int>(c);
+          found.component = i;
+        }
+    }
+    taken[found.cluster][found.component] = true;
+    motions.push_back(found);
+  }
+  return motions;
+}
+
+}  // namespace toile::solve

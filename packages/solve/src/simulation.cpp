@@ -1,0 +1,304 @@
+#include "toile/solve/simulation.hpp"
+
+#include <LOCA_GlobalData.H>
+#include <LOCA_Parameter_SublistParser.H>
+#include <LOCA_Stepper.H>
+#include <NOX_Solver_Factory.H>
+#include <Tpetra_Core.hpp>
+#include <cblas.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "equilibrium_group.hpp"
+#include "newton.hpp"
+#include "null_motion.hpp"
+#include "toile/base/error.hpp"
+
+namespace toile::solve {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem,
+                                                          const std::set<std::string>& released) {
+  std::vector<int> cluster_of(problem.mesh->nodes());
+  for (size_t c = 0; c < problem.clusters.size(); ++c)
+    for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
+  std::vector<std::array<HeldComponent, 3>> held(problem.clusters.size());
+  for (const Support& support : problem.supports) {
+    if (released.count(support.name)) continue;
+    for (const int node : support.nodes)
+      for (int i = 0; i < 3; ++i) {
+        if (!support.held[i]) continue;
+        HeldComponent& h = held[cluster_of[node]][i];
+        if (h.held && h.displacement != support.displacement[i])
+          throw base::InputError("supports contradict each other: support \"" + support.name + "\" moves node " +
+                                 std::to_string(node) + " by " + std::to_string(support.displacement[i]) +
+                                 " mm in direction " + "xyz"[i] + ", another support by " +
+                                 std::to_string(h.displacement) + " mm");
+        h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i]};
+      }
+  }
+  return held;
+}
+
+/// A closed seam carries its contact force on the master.
+void collapse_contact(const Problem& problem, State& state) {
+  for (const std::vector<int>& members : problem.clusters)
+    for (size_t m = 1; m < members.size(); ++m) {
+      state.contact_force[members[0]] += state.contact_force[members[m]];
+      state.contact_force[members[m]] = 0.0;
+    }
+}
+
+}  // namespace
+
+struct Simulation::Data {
+  const Problem& problem;
+  SolverOptions options;
+  RCP<const Comm> comm;
+  Observer observer;
+  State state;
+  SolveStatistics statistics;
+  std::vector<std::string> notes;
+  std::set<std::string> released;
+  Clock::time_point start = Clock::now();
+  bool started = false;
+  double largest_energy = 0.0, dissipated = 0.0;
+
+  // Of the stage that runs.
+  StageOptions stage;
+  std::shared_ptr<Equilibrium> equilibrium;
+  RCP<Vector> z;
+  int iterations = 0, cut_backs = 0;
+
+  Data(const Problem& p, const SolverOptions& o)
+      : problem(p), options(o), comm(Tpetra::getDefaultComm()), state(placed_state(p)) {}
+
+  bool seams_closed() const { return state.seam >= 1.0; }
+  void build();
+  void accept(double s, const Imbalance& imbalance, bool undamped);
+  bool solve(double s);
+  bool finish();
+  bool relax();
+  void march();
+  double first_damping() const;
+  void adapt_damping(double dissipated_now);
+  LOCA::Abstract::Iterator::IteratorStatus run_stepper();
+};
+
+Simulation::Simulation(const Problem& problem, const SolverOptions& options)
+    : data_(std::make_unique<Data>(problem, options)) {
+  openblas_set_num_threads(1);  // threads inside MPI or OpenMP make the factorisation many times slower
+}
+Simulation::~Simulation() = default;
+void Simulation::observe(Observer observer) { data_->observer = std::move(observer); }
+void Simulation::set_state(const State& state) {
+  data_->state = state;
+  data_->started = true;
+}
+const State& Simulation::state() const { return data_->state; }
+const SolveStatistics& Simulation::statistics() const { return data_->statistics; }
+const std::vector<std::string>& Simulation::notes() const { return data_->notes; }
+
+void Simulation::Data::build() {
+  released.insert(stage.released.begin(), stage.released.end());
+  Drive drive{state.seam, state.seam, state.load, state.load};
+  if (stage.type == StageType::sew) drive.seam_end = stage.target;
+  if (stage.type == StageType::load) drive.load_end = stage.target;
+  if (seams_closed()) collapse_contact(problem, state);
+  const bool closed_at_end = drive.seam_end >= 1.0;
+  auto held = held_components(problem, released);
+  std::vector<std::array<bool, 3>> pinned(problem.clusters.size(), {false, false, false});
+  for (const NullMotion& motion : find_null_motions(problem, state, held, closed_at_end)) {
+    held[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0};
+    pinned[motion.cluster][motion.component] = true;
+    notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
+                    "; one component of one node is held against it");
+  }
+  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), std::move(pinned), drive,
+                                              seams_closed(), options, comm);
+  z = equilibrium->start_vector();
+  equilibrium->update_offsets(*z, 0.0);
+  if (!started) equilibrium->balance_multipliers(*z, 0.0);
+  started = true;
+  equilibrium->set_first_step(stage.first_step);
+  equilibrium->start_step(*z, 0.0);
+  statistics.unknowns = static_cast<int>(equilibrium->map()->getGlobalNumElements());
+  statistics.contact_nodes = equilibrium->global_contact_nodes();
+  statistics.contact_stiffness = equilibrium->contact_stiffness();
+}
+
+// DESIGN "Stabilisation": the damping diagonal is 1e-4 of the mean tangent diagonal until there is an energy to measure.
+double Simulation::Data::first_damping() const {
+  return 1e-4 * std::abs(equilibrium->mean_tangent_diagonal()) / equilibrium->mean_mass() * stage.first_step;
+}
+
+void Simulation::Data::adapt_damping(double now) {
+  const double wanted = stage.damping.fraction * largest_energy;
+  if (now <= 0.0 || wanted <= 0.0) return;
+  equilibrium->set_damping(equilibrium->damping() * std::clamp(wanted / now, 0.2, 5.0));
+}
+
+void Simulation::Data::accept(double s, const Imbalance& imbalance, bool undamped) {
+  state = equilibrium->state(*z, s);
+  StepReport report;
+  report.stage = stage.name;
+  report.step = ++statistics.steps;
+  report.parameter = s;
+  report.load = state.load;
+  report.seam = state.seam;
+  report.iterations = iterations;
+  report.cut_backs = cut_backs;
+  report.residual = imbalance.relative();
+  report.gap = imbalance.gap;
+  report.strain_energy = equilibrium->strain_energy();
+  largest_energy = std::max(largest_energy, report.strain_energy);
+  const double now = equilibrium->damping() > 0.0 ? equilibrium->dissipation(*z, s) : 0.0;
+  dissipated += now;
+  report.dissipated = dissipated;
+  report.dissipation_ratio = largest_energy > 0.0 ? dissipated / largest_energy : 0.0;
+  report.balance = equilibrium->balance(*z, s);
+  report.extrapolated = equilibrium->extrapolated();
+  report.undamped = undamped;
+  equilibrium->start_step(*z, s);
+  if (undamped) {
+    equilibrium->linearise(*z, s);
+    report.negative_pivots = equilibrium->unshifted_negative_pivots();
+  }
+  if (equilibrium->damping() > 0.0) adapt_damping(now);
+  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  iterations = cut_backs = 0;
+  if (observer) observer(report, state);
+}
+
+bool Simulation::Data::solve(double s) {
+  const RCP<Teuchos::ParameterList> top = Teuchos::parameterList();
+  top->sublist("NOX") = *newton_parameters();
+  const RCP<LOCA::GlobalData> global = LOCA::createGlobalData(top);
+  const RCP<EquilibriumGroup> group =
+      rcp(new EquilibriumGroup(global, equilibrium, *z, s, std::make_shared<StepHooks>()));
+  const RCP<BalanceTest> test = rcp(new BalanceTest(options.newton));
+  group->computeF();
+  const auto solver = NOX::Solver::buildSolver(group, test, Teuchos::sublist(top, "NOX"));
+  const bool converged = solver->solve() == NOX::StatusTest::Converged;
+  iterations += test->iterations();
+  statistics.newton_iterations += test->iterations();
+  if (converged) z = rcp(new Vector(EquilibriumGroup::tpetra(unwrap(solver->getSolutionGroup()).getX()), Teuchos::Copy));
+  LOCA::destroyGlobalData(global);
+  return converged;
+}
+
+// The undamped equilibrium at fixed load, with the contact offset iterated until it agrees with the thickness.
+bool Simulation::Data::finish() {
+  constexpr double same_offset = 1e-7;  // mm
+  constexpr int most_rounds = 30;
+  equilibrium->set_damping(0.0);
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!solve(1.0)) return false;
+    if (equilibrium->update_offsets(*z, 1.0) < same_offset) return true;
+  }
+  return false;
+}
+
+// Damped steps at fixed load, each from where the last one ended, with the damping fading by tens.
+bool Simulation::Data::relax() {
+  double coefficient = first_damping() * 100.0;
+  for (int k = 0; k < 8; ++k, coefficient *= 0.1) {
+    equilibrium->set_damping(coefficient);
+    equilibrium->start_step(*z, 1.0);
+    if (!solve(1.0)) {
+      coefficient *= 100.0;
+      continue;
+    }
+    dissipated += equilibrium->dissipation(*z, 1.0);
+  }
+  equilibrium->start_step(*z, 1.0);
+  return finish();
+}
+
+LOCA::Abstract::Iterator::IteratorStatus Simulation::Data::run_stepper() {
+  const RCP<Teuchos::ParameterList> top = Teuchos::parameterList();
+  top->sublist("NOX") = *newton_parameters();
+  Teuchos::ParameterList& loca = top->sublist("LOCA");
+  Teuchos::ParameterList& stepper = loca.sublist("Stepper");
+  stepper.set("Continuation Method", "Natural");
+  stepper.set("Continuation Parameter", "s");
+  stepper.set("Initial Value", 0.0);
+  stepper.set("Min Value", -1.0);
+  stepper.set("Max Value", 1.0);
+  stepper.set("Max Steps", stage.max_steps);
+  stepper.set("Max Nonlinear Iterations", options.newton.max_iterations);
+  stepper.set("Compute Eigenvalues", false);
+  Teuchos::ParameterList& size = loca.sublist("Step Size");
+  size.set("Method", "Adaptive");
+  size.set("Initial Step Size", stage.first_step);
+  size.set("Min Step Size", stage.smallest_step);
+  size.set("Max Step Size", stage.largest_step);
+  size.set("Aggressiveness", 1.0);
+  loca.sublist("Predictor").set("Method", "Secant");
+  loca.sublist("Predictor").sublist("First Step Predictor").set("Method", problem.surface ? "Constant" : "Tangent");
+
+  const RCP<LOCA::GlobalData> global = LOCA::createGlobalData(top);
+  const RCP<BalanceTest> test = rcp(new BalanceTest(options.newton));
+  const auto hooks = std::make_shared<StepHooks>();
+  hooks->before = [](const Vector&, double) {};
+  hooks->after = [&](const Vector& at, double s, bool converged) {
+    iterations += test->iterations();
+    statistics.newton_iterations += test->iterations();
+    if (!converged) {
+      ++cut_backs;
+      ++statistics.cut_backs;
+      return;
+    }
+    z = rcp(new Vector(at, Teuchos::Copy));
+    accept(s, test->last(), false);
+  };
+  const RCP<EquilibriumGroup> group = rcp(new EquilibriumGroup(global, equilibrium, *z, 0.0, hooks));
+  LOCA::Stepper run(global, group, test, top);
+  const auto status = run.run();
+  LOCA::destroyGlobalData(global);
+  return status;
+}
+
+void Simulation::Data::march() {
+  if (stage.damping.active) equilibrium->set_damping(first_damping());
+  if (run_stepper() == LOCA::Abstract::Iterator::Finished) return;
+  std::ostringstream message;
+  message << "stage \"" << stage.name << "\" could not reach its end: it stopped at " << state.seam * 100.0
+          << " % of the seams' closing and load " << state.load << ", after " << cut_backs
+          << " cut-backs at that point (smallest step " << stage.smallest_step << ", at most " << stage.max_steps
+          << " steps). The last converged state was kept. Try a smaller \"first step\", damping, or a start nearer to "
+             "the end.";
+  throw base::SolveError(message.str());
+}
+
+void Simulation::run(const StageOptions& stage) {
+  Data& d = *data_;
+  d.stage = stage;
+  d.build();
+  if (stage.type != StageType::settle) d.march();
+  if (!d.finish()) {
+    d.z = d.equilibrium->vector_of(d.state);
+    if (!stage.damping.active || !d.relax())
+      throw base::SolveError("stage \"" + stage.name +
+                             "\": no undamped equilibrium was found at its end; the last converged (damped) state was "
+                             "kept, and its pressures must not be read as final" +
+                             (stage.damping.active ? "" : ". Try damping"));
+  }
+  Vector f(d.z->getMap());
+  d.equilibrium->residual(*d.z, 1.0, f);
+  d.accept(1.0, d.equilibrium->imbalance(f), true);
+  d.statistics.linear_iterations += d.equilibrium->linear().iterations();
+  d.statistics.factorisations += d.equilibrium->linear().factorisations();
+  if (d.state.seam > 0.0 && d.dissipated > stage.damping.limit * d.largest_energy)
+    d.notes.push_back("stage \"" + stage.name + "\": the damping dissipated more than the limit; its path was not "
+                      "quasi-static (the final state is undamped)");
+}
+
+}  // namespace toile::solve

@@ -1,0 +1,178 @@
+#include "toile/solve/spec.hpp"
+
+#include <algorithm>
+
+namespace toile::solve {
+
+namespace {
+
+using base::List;
+using base::Range;
+using base::Spec;
+
+Spec stage_common(const std::string& name, const std::string& text) {
+  return Spec(name, text).words("release", "Names of supports that end with the start of this stage", base::Texts{});
+}
+
+Spec& add_steps(Spec& spec) {
+  return spec
+      .real("first step", "", "First step of the continuation, as a share of the whole stage", 0.1,
+            {0.0, 1.0, true, false})
+      .real("smallest step", "", "A step that would have to be smaller ends the run", 1e-4, {0.0, 1.0, true, false})
+      .real("largest step", "", "Largest step of the continuation", 0.5, {0.0, 1.0, true, false})
+      .integer("most steps", "Number of steps after which the run ends", 200, Range::at_least(1));
+}
+
+Spec damping_spec() {
+  return Spec("Damping",
+              "Artificial viscous damping of the stage (left out: none). It is zero in the stage's final state.")
+      .real("fraction", "", "Energy that the first step dissipates over its strain energy", 2e-4, Range::positive())
+      .real("limit", "", "Accumulated dissipation over the largest strain energy above which the path is reported as "
+                         "not quasi-static", 0.05, Range::positive());
+}
+
+/// Nodes of an edge "panel.side" or of a whole panel.
+std::vector<int> nodes_of(const List& list, const mesh::Mesh& mesh, const std::string& name) {
+  const auto edge = mesh.edges.find(name);
+  if (edge != mesh.edges.end()) return edge->second;
+  base::Texts valid;
+  for (const mesh::Block& block : mesh.blocks) {
+    valid.push_back(block.name);
+    if (block.name != name) continue;
+    std::vector<int> nodes = block.connectivity;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+  for (const auto& [key, value] : mesh.edges) valid.push_back(key);
+  const std::string near = base::nearest_name(name, valid);
+  std::string all;
+  for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
+  list.fail("on", "no edge or panel is named \"" + name + "\"" +
+                      (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
+}
+
+Vec3 vector_of(const List& list, const std::string& name) {
+  const base::Reals& v = list.reals(name);
+  if (v.size() != 3) list.fail(name, "found " + std::to_string(v.size()) + " numbers, expected 3 (x, y, z)");
+  return Vec3(v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+Spec stages_spec() {
+  Spec sew = stage_common("sew", "Closes the seams by continuation in the separation of their nodes");
+  Spec load = stage_common("load", "Moves the supports and applies the loads by continuation");
+  load.real("target", "", "Load factor at the end of the stage", 1.0);
+  for (Spec* spec : {&sew, &load}) add_steps(*spec).list(damping_spec());
+  Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads");
+  settle.list(damping_spec());
+  Spec stage("stage", "One stage of the run");
+  stage.variant("type", "What happens in the stage", {sew, load, settle});
+  return Spec("Stages", "What happens to the garment, in this order").entries(stage, 1);
+}
+
+std::vector<StageOptions> read_stages(const List& list) {
+  std::vector<StageOptions> stages;
+  for (const List& entry : list.entries()) {
+    StageOptions s;
+    s.name = entry.name();
+    const std::string& type = entry.word("type");
+    s.type = type == "sew" ? StageType::sew : type == "load" ? StageType::load : StageType::settle;
+    s.released = entry.words("release");
+    if (s.type == StageType::load) s.target = entry.real("target");
+    if (s.type != StageType::settle) {
+      s.first_step = entry.real("first step");
+      s.smallest_step = entry.real("smallest step");
+      s.largest_step = entry.real("largest step");
+      s.max_steps = entry.integer("most steps");
+      if (s.smallest_step > s.first_step)
+        entry.fail("smallest step", "must not be larger than \"first step\" (" + std::to_string(s.first_step) + ")");
+    }
+    if (entry.has_list("Damping")) {
+      const List damping = entry.list("Damping");
+      s.damping = {true, damping.real("fraction"), damping.real("limit")};
+    }
+    stages.push_back(s);
+  }
+  return stages;
+}
+
+Spec solver_spec() {
+  return Spec("Solver", "How the equations are solved; the defaults suit most scenes")
+      .choice("linear solver",
+              "cg or gmres: iteration (Belos) preconditioned by a kept sparse factorisation; direct: factorisation of "
+              "every tangent",
+              {"cg", "gmres", "direct"}, std::string("cg"))
+      .real("linear tolerance", "", "Relative residual of the linear iteration", 1e-10, {0.0, 1.0, true, true})
+      .integer("kept iterations", "A kept factorisation that needs more iterations is renewed", 12, Range::at_least(1))
+      .real("tolerance", "", "Force residual over the nodal forces that meet in it", 1e-10, {0.0, 1.0, true, true})
+      .real("gap tolerance", "mm", "Largest gap of a node in contact", 1e-6, Range::positive())
+      .integer("most iterations", "Newton iterations of a step before it is cut back", 60, Range::at_least(1));
+}
+
+SolverOptions read_solver(const List& list) {
+  SolverOptions o;
+  o.linear.method = list.word("linear solver");
+  o.linear.tolerance = list.real("linear tolerance");
+  o.linear.kept_iterations = list.integer("kept iterations");
+  o.newton.tolerance = list.real("tolerance");
+  o.newton.gap_tolerance = list.real("gap tolerance");
+  o.newton.max_iterations = list.integer("most iterations");
+  return o;
+}
+
+Spec contact_spec() {
+  return Spec("Contact", "Frictionless contact of the garment with the body")
+      .choice("contact surface",
+              "inner face: half the current thickness inside the mid-surface; mid-surface: as membrane theory has it",
+              {"inner face", "mid-surface"}, std::string("inner face"))
+      .real("relative stiffness", "",
+            "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result", 100.0,
+            Range::positive());
+}
+
+ContactOptions read_contact(const List& list) {
+  return {list.word("contact surface") == "inner face", list.real("relative stiffness")};
+}
+
+Spec supports_spec() {
+  Spec support("support", "Nodes that are held in some directions");
+  support.words("on", "Edges (\"front.top\") or panels (\"front\")")
+      .choice("hold", "Directions that are held", {"x", "y", "z", "xy", "xz", "yz", "xyz"})
+      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z)", base::Reals{0.0, 0.0, 0.0});
+  return Spec("Supports", "Where the garment is held").entries(support);
+}
+
+std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
+  std::vector<Support> supports;
+  for (const List& entry : list.entries()) {
+    Support s;
+    s.name = entry.name();
+    for (const std::string& set : entry.words("on")) {
+      const std::vector<int> nodes = nodes_of(entry, mesh, set);
+      s.nodes.insert(s.nodes.end(), nodes.begin(), nodes.end());
+    }
+    const std::string& hold = entry.word("hold");
+    for (int i = 0; i < 3; ++i) s.held[i] = hold.find("xyz"[i]) != std::string::npos;
+    s.displacement = vector_of(entry, "move by");
+    supports.push_back(s);
+  }
+  return supports;
+}
+
+Spec loads_spec() {
+  Spec load("load", "Dead load along an edge");
+  load.word("on", "Edge, for instance \"front.top\"")
+      .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z)");
+  return Spec("Loads", "Forces on the garment").entries(load);
+}
+
+std::vector<EdgeLoad> read_loads(const List& list, const mesh::Mesh& mesh) {
+  std::vector<EdgeLoad> loads;
+  for (const List& entry : list.entries())
+    loads.push_back({entry.name(), nodes_of(entry, mesh, entry.word("on")), vector_of(entry, "traction")});
+  return loads;
+}
+
+}  // namespace toile::solve

@@ -1,0 +1,20 @@
+#include "toile/solve/problem.hpp"
+
+namespace toile::solve {
+
+Vec3 node_position(const Problem& problem, const State& state, int cluster, int node) {
+  const int master = problem.clusters[cluster].front();
+  const Vec3 separation = problem.mesh->placed[node] - problem.mesh->placed[master];
+  return state.position[cluster] + (1.0 - state.seam) * separation;
+}
+
+State placed_state(const Problem& problem) {
+  State state;
+  for (const std::vector<int>& members : problem.clusters)
+    state.position.push_back(problem.mesh->placed[members.front()]);
+  state.contact_force.assign(problem.mesh->nodes(), 0.0);
+  state.offset.assign(problem.mesh->nodes(), 0.0);
+  return state;
+}
+
+}  // namespace toile::solve

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace toile::solve {
+
+using LocalId = int;
+using GlobalId = long long;
+using Node = Tpetra::Map<>::node_type;
+using Map = Tpetra::Map<LocalId, GlobalId, Node>;
+using Import = Tpetra::Import<LocalId, GlobalId, Node>;
+using Vector = Tpetra::Vector<double, LocalId, GlobalId, Node>;
+using MultiVector = Tpetra::MultiVector<double, LocalId, GlobalId, Node>;
+using Graph = Tpetra::CrsGraph<LocalId, GlobalId, Node>;
+using Matrix = Tpetra::CrsMatrix<double, LocalId, GlobalId, Node>;
+using Operator = Tpetra::Operator<double, LocalId, GlobalId, Node>;
+using Comm = Teuchos::Comm<int>;
+using Teuchos::RCP;
+using Teuchos::rcp;
+
+}  // namespace toile::solve

@@ -1,0 +1,86 @@
+// Time of residual and tangent of a batch of elements, and how much of it is the material's.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "toile/element/element.hpp"
+#include "toile/material/material.hpp"
+
+namespace {
+
+using namespace toile;
+using Clock = std::chrono::steady_clock;
+constexpr int count = 4096;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<double> pantyhose(const material::MaterialV1& law) {
+  for (int s = 0; s < law.n_sets; ++s) {
+    if (std::string(law.sets[s].name) == "pantyhose") return {law.sets[s].values, law.sets[s].values + law.n_params};
+  }
+  return {};
+}
+
+/// Distorted elements of 10 mm, stretched by about 1.2 (wale) and 1.8 (course) and bent.
+struct Garment {
+  std::vector<double> pattern, x, wale_angle;
+
+  explicit Garment(const element::Element& element) : wale_angle(count, 0.1) {
+    const double corners[4][2] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    for (int e = 0; e < count; ++e) {
+      for (int i = 0; i < element.nodes(); ++i) {
+        const double X = corners[i][0] + std::sin(e + i), Y = corners[i][1] + std::cos(2.0 * e + i);
+        pattern.insert(pattern.end(), {X, Y});
+        x.insert(x.end(), {1.2 * X + 0.1 * Y, 1.8 * Y, 0.02 * X * Y});
+      }
+    }
+  }
+};
+
+/// Residual and tangent of all elements; the material alone, at the same C in the same chunks, is timed apart.
+void residual_and_tangent(benchmark::State& state, const char* element_name, const char* material_name) {
+  const element::Element& element = *element::find(element_name);
+  const material::MaterialV1& law = *material::find(material_name);
+  const std::vector<double> params = pantyhose(law);
+  const Garment garment(element);
+  const element::Batch batch = {
+      count, garment.pattern.data(), garment.x.data(), garment.wale_angle.data(), &law, params.data(), false, 1.0};
+  std::vector<double> residual(count * element.ndof()), tangent(count * element.ndof() * element.ndof());
+
+  const int chunk = 64 * element.points();
+  const std::vector<double> C = element.fields(batch).C;
+  std::vector<double> soa(3 * chunk), W(chunk), S(3 * chunk), D(6 * chunk), stretch(chunk);
+  std::vector<std::uint8_t> status(chunk);
+  double material_time = 0.0, total_time = 0.0;
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    element.evaluate(batch, {nullptr, residual.data(), tangent.data(), nullptr});
+    const double time = seconds_since(start);
+    state.SetIterationTime(time);
+    total_time += time;
+    for (int first = 0; first < count * element.points(); first += chunk) {
+      for (int k = 0; k < 3 * chunk; ++k) soa[k % 3 * chunk + k / 3] = C[3 * first + k];
+      const auto begin = Clock::now();
+      law.evaluate(chunk, soa.data(), params.data(), 0, W.data(), S.data(), D.data(), stretch.data(), nullptr,
+                   status.data());
+      material_time += seconds_since(begin);
+    }
+    benchmark::DoNotOptimize(tangent.data());
+    benchmark::DoNotOptimize(D.data());
+  }
+  state.counters["us_per_element"] = 1e6 * total_time / (static_cast<double>(state.iterations()) * count);
+  state.counters["material_share"] = material_time / total_time;
+}
+
+BENCHMARK_CAPTURE(residual_and_tangent, membrane4_neo_hookean, "membrane4", "neo-hookean")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, membrane4_itskov, "membrane4", "itskov")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, membrane4_rebar, "membrane4", "rebar")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, membrane3_neo_hookean, "membrane3", "neo-hookean")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, membrane3_itskov, "membrane3", "itskov")->UseManualTime();
+
+}  // namespace

@@ -1,0 +1,134 @@
+#include "../material/plain_fad.hpp"
+//
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <vector>
+
+#include "material_hand_written.hpp"
+
+// Energy, stress and tangent of a batch of 256 points: the registered material, hand-written code, plain nested Fad,
+// and the nested Fad with our power() and log() on one number at a time.
+namespace {
+
+using namespace toile::material;
+namespace hand = toile::benchmarks;
+
+constexpr int n = 256;
+
+struct Batch {
+  std::vector<double> C, W, S, D, h;
+  std::vector<std::uint8_t> status;
+
+  Batch() : C(3 * n), W(n), S(3 * n), D(6 * n), h(n), status(n) {
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> stretch(1.05, 1.9), shear(-0.2, 0.2);
+    for (int i = 0; i < n; ++i) {
+      const double f11 = stretch(generator), f22 = stretch(generator), f12 = shear(generator);
+      C[i] = f11 * f11;
+      C[n + i] = f12 * f12 + f22 * f22;
+      C[2 * n + i] = f11 * f12;
+    }
+  }
+};
+
+const double* pantyhose(const MaterialV1& law) {
+  return law.sets[0].values;
+}
+
+void report(benchmark::State& state) {
+  state.counters["ns/point"] =
+      benchmark::Counter(1e-9 * n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void registered(benchmark::State& state, const char* name) {
+  const MaterialV1& law = *find(name);
+  Batch b;
+  for (auto _ : state) {
+    law.evaluate(n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+                 b.status.data());
+    benchmark::ClobberMemory();
+  }
+  report(state);
+}
+
+using HandWritten = hand::Point (*)(double, double, double, const double*);
+
+template <HandWritten function>
+void hand_written(Batch& b, const double* params) {
+  for (int i = 0; i < n; ++i) {
+    const hand::Point p = function(b.C[i], b.C[n + i], b.C[2 * n + i], params);
+    b.W[i] = p.W;
+    for (int a = 0; a < 3; ++a) b.S[a * n + i] = p.S[a];
+    for (int a = 0; a < 6; ++a) b.D[a * n + i] = p.D[a];
+  }
+}
+
+/// The numbers that are compared are the same numbers: stops the benchmark if hand-written and registered differ.
+void require_agreement(const Batch& a, const MaterialV1& law) {
+  Batch b;
+  law.evaluate(n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+               b.status.data());
+  double error = 0.0, scale = 0.0;
+  for (int i = 0; i < 6 * n; ++i) {
+    error = std::max(error, std::abs(a.D[i] - b.D[i]));
+    if (i < 3 * n) error = std::max(error, std::abs(a.S[i] - b.S[i]));
+    if (i < n) error = std::max(error, std::abs(a.W[i] - b.W[i]));
+    scale = std::max(scale, std::abs(b.D[i]));
+  }
+  if (!(error <= 1e-12 * scale)) {
+    std::cerr << "hand-written and registered " << law.name << " differ by " << error / scale << "\n";
+    std::exit(1);
+  }
+}
+
+template <HandWritten function>
+void by_hand(benchmark::State& state, const char* name) {
+  const MaterialV1& law = *find(name);
+  Batch b;
+  for (auto _ : state) {
+    hand_written<function>(b, pantyhose(law));
+    benchmark::ClobberMemory();
+  }
+  require_agreement(b, law);
+  report(state);
+}
+
+template <class Law, class T>
+void nested(benchmark::State& state) {
+  const double* params = pantyhose(*find(Law::name));
+  using Inner = std::decay_t<decltype(T().val())>;
+  Batch b;
+  for (auto _ : state) {
+    for (int i = 0; i < n; ++i) {
+      std::array<T, 3> c;
+      for (int a = 0; a < 3; ++a) {
+        c[a] = T(3, a, Inner(3, a, b.C[a * n + i]));
+        c[a].fastAccessDx(a) = Inner(1.0);
+      }
+      const T w = Law::energy(PlaneC<T>(c[0], c[1], c[2]), Params<double>(params, params));
+      for (int a = 0, k = 0; a < 3; ++a) {
+        b.S[a * n + i] = w.dx(a).val();
+        for (int d = a; d < 3; ++d) b.D[k++ * n + i] = w.dx(a).dx(d);
+      }
+    }
+    benchmark::ClobberMemory();
+  }
+  report(state);
+}
+
+constexpr auto by_hand_rebar = by_hand<hand::rebar>;
+constexpr auto by_hand_itskov = by_hand<hand::itskov>;
+
+BENCHMARK_CAPTURE(registered, rebar, "rebar");
+BENCHMARK_CAPTURE(by_hand_rebar, rebar, "rebar");
+BENCHMARK_TEMPLATE(nested, rebar::Law, PlainHessian)->Name("plain_nested_fad/rebar");
+BENCHMARK_TEMPLATE(nested, rebar::Law, Fad<Fad<double, 3>, 3>)->Name("nested_fad_with_power/rebar");
+BENCHMARK_CAPTURE(registered, itskov, "itskov");
+BENCHMARK_CAPTURE(by_hand_itskov, itskov, "itskov");
+BENCHMARK_TEMPLATE(nested, itskov::Law, PlainHessian)->Name("plain_nested_fad/itskov");
+BENCHMARK_TEMPLATE(nested, itskov::Law, Fad<Fad<double, 3>, 3>)->Name("nested_fad_with_power/itskov");
+
+}  // namespace

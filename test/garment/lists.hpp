@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Teuchos_ParameterList.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "toile/base/error.hpp"
+#include "toile/base/parameters.hpp"
+
+namespace toile::garment::test {
+
+inline Teuchos::Array<double> reals(const std::vector<double>& values) {
+  return Teuchos::Array<double>(values);
+}
+
+/// A rectangular panel in the list "Panels".
+inline Teuchos::ParameterList& add_rectangle(Teuchos::ParameterList& panels, const std::string& name, double width,
+                                             double height, int across, int along) {
+  Teuchos::ParameterList& panel = panels.sublist(name);
+  panel.set("material", std::string("knit"));
+  panel.set("shape", std::string("rectangle"));
+  panel.set("width", width);
+  panel.set("height", height);
+  panel.set("elements across", across);
+  panel.set("elements along", along);
+  return panel;
+}
+
+/// An entry of the list "Seams".
+inline Teuchos::ParameterList& add_seam(Teuchos::ParameterList& seams, const std::string& name,
+                                        const std::string& first, const std::string& second) {
+  Teuchos::ParameterList& seam = seams.sublist(name);
+  seam.set("first", first);
+  seam.set("second", second);
+  return seam;
+}
+
+/// Message of the InputError that `action` must throw.
+inline std::string input_error(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no InputError";
+  return "";
+}
+
+}  // namespace toile::garment::test

@@ -1,0 +1,172 @@
+#include "toile/mesh/four_sided.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "toile/base/error.hpp"
+#include "toile/mesh/polygon.hpp"
+
+namespace toile::mesh {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+Curve line(const Vec2& a, const Vec2& b) {
+  return Curve({a, b}, Interpolation::polyline);
+}
+
+Curve arc(double radius, double from, double to, int points = 65) {
+  std::vector<Vec2> at;
+  for (int i = 0; i < points; ++i) {
+    const double angle = from + (to - from) * i / (points - 1);
+    at.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return Curve(at, Interpolation::smooth);
+}
+
+/// Quarter of a ring between the radii 50 and 100 mm; bottom lies on the x axis.
+FourSides quarter_ring() {
+  return {line({50.0, 0.0}, {100.0, 0.0}), arc(100.0, 0.0, M_PI / 2), line({0.0, 50.0}, {0.0, 100.0}),
+          arc(50.0, 0.0, M_PI / 2)};
+}
+
+double area(const Grid& grid) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < grid.connectivity.size(); e += grid.nodes_per_element) {
+    std::vector<Vec2> corners;
+    for (int k = 0; k < grid.nodes_per_element; ++k) corners.push_back(grid.nodes[grid.connectivity[e + k]]);
+    const double one = signed_area(corners);
+    EXPECT_GT(one, 0.0);
+    sum += one;
+  }
+  return sum;
+}
+
+GridOptions options(int across, int along) {
+  GridOptions result;
+  result.across = across;
+  result.along = along;
+  return result;
+}
+
+// A rectangle is meshed into equal elements that fill it exactly.
+TEST(FourSided, RectangleIsUniform) {
+  const Grid grid = mesh_four_sided("front", rectangle(60.0, 40.0), options(6, 8));
+  ASSERT_EQ(grid.nodes.size(), 7u * 9u);
+  EXPECT_NEAR((grid.nodes[grid.node(2, 3)] - Vec2(20.0, 15.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(area(grid), 2400.0, 1e-9);
+}
+
+// The corners and the nodes of the edges lie on the four curves, at equal arc length.
+TEST(FourSided, EdgesLieOnTheCurves) {
+  const FourSides sides = quarter_ring();
+  const Grid grid = mesh_four_sided("front", sides, options(5, 10));
+  for (int j = 0; j <= 10; ++j) {
+    EXPECT_NEAR((grid.nodes[grid.column(5)[j]] - sides.right.at(j / 10.0)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(grid.nodes[grid.column(0)[j]].norm(), 50.0, 1e-4);
+  }
+  for (int i = 0; i <= 5; ++i) EXPECT_NEAR((grid.nodes[grid.row(10)[i]] - sides.top.at(i / 5.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((grid.nodes[grid.node(5, 10)] - Vec2(0.0, 100.0)).norm(), 0.0, 1e-12);
+}
+
+// The area of the mesh converges to the area of a curved panel with second order, with elements of either kind.
+TEST(FourSided, AreaConvergesWithSecondOrder) {
+  const double exact = M_PI / 4.0 * (100.0 * 100.0 - 50.0 * 50.0);
+  for (const bool triangles : {false, true}) {
+    std::vector<double> errors;
+    for (const int n : {4, 8, 16}) {
+      GridOptions wanted = options(n, n);
+      wanted.triangles = triangles;
+      errors.push_back(std::abs(area(mesh_four_sided("front", quarter_ring(), wanted)) - exact));
+    }
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.9);
+    EXPECT_GT(std::log2(errors[1] / errors[2]), 1.9);
+  }
+}
+
+// Every quadrilateral becomes two triangles, and the diagonals of neighbours alternate.
+TEST(FourSided, TrianglesAlternate) {
+  GridOptions wanted = options(4, 4);
+  wanted.triangles = true;
+  const Grid grid = mesh_four_sided("front", rectangle(40.0, 40.0), wanted);
+  ASSERT_EQ(grid.nodes_per_element, 3);
+  ASSERT_EQ(grid.connectivity.size(), 3u * 32u);
+  EXPECT_NEAR(area(grid), 1600.0, 1e-9);
+  std::vector<int> valence(grid.nodes.size(), 0);
+  for (const int id : grid.connectivity) ++valence[id];
+  EXPECT_EQ(valence[grid.node(1, 1)], 8);
+  EXPECT_EQ(valence[grid.node(2, 1)], 4);
+}
+
+// Grading moves the nodes towards both ends by the stated power law and stays symmetric.
+TEST(FourSided, GradingIsSymmetricPowerLaw) {
+  EXPECT_DOUBLE_EQ(graded(0.25, 2.0), 0.125);
+  EXPECT_DOUBLE_EQ(graded(0.75, 2.0), 0.875);
+  EXPECT_DOUBLE_EQ(graded(0.3, 1.0), 0.3);
+  GridOptions wanted = options(4, 8);
+  wanted.grading_along = 2.0;
+  const Grid grid = mesh_four_sided("front", rectangle(40.0, 80.0), wanted);
+  EXPECT_NEAR(grid.nodes[grid.node(0, 1)].y(), 80.0 * 0.5 / 16.0, 1e-12);
+  EXPECT_NEAR(grid.nodes[grid.node(1, 1)].x(), 10.0, 1e-12);
+}
+
+// Distortion moves inner nodes only, keeps the area, and is the same in every run.
+TEST(FourSided, DistortionKeepsTheOutline) {
+  GridOptions wanted = options(6, 6);
+  const Grid regular = mesh_four_sided("front", rectangle(60.0, 60.0), wanted);
+  wanted.distortion = 0.3;
+  const Grid distorted = mesh_four_sided("front", rectangle(60.0, 60.0), wanted);
+  EXPECT_GT((distorted.nodes[distorted.node(3, 3)] - regular.nodes[regular.node(3, 3)]).norm(), 0.1);
+  for (const int id : regular.row(0)) EXPECT_EQ(distorted.nodes[id], regular.nodes[id]);
+  for (const int id : regular.column(6)) EXPECT_EQ(distorted.nodes[id], regular.nodes[id]);
+  EXPECT_NEAR(area(distorted), 3600.0, 1e-9);
+  EXPECT_EQ(mesh_four_sided("front", rectangle(60.0, 60.0), wanted).nodes, distorted.nodes);
+}
+
+// A map that folds over is refused with the panel's name and the place.
+TEST(FourSided, FoldedMapIsRefused) {
+  const Curve deep({{0.0, 0.0}, {50.0, 95.0}, {100.0, 0.0}}, Interpolation::smooth);
+  const FourSides sides{deep, line({100.0, 0.0}, {100.0, 100.0}),
+                        Curve({{0.0, 100.0}, {50.0, 60.0}, {100.0, 100.0}}, Interpolation::smooth),
+                        line({0.0, 0.0}, {0.0, 100.0})};
+  try {
+    mesh_four_sided("sleeve", sides, options(8, 8));
+    FAIL() << "no error";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("panel 'sleeve' overlaps itself near ("),
+                                    HasSubstr("an element is turned over there"), HasSubstr("split it")));
+  }
+}
+
+// Sides that do not meet in a corner are reported with both points.
+TEST(FourSided, OpenCornerIsNamed) {
+  FourSides sides = rectangle(10.0, 20.0);
+  EXPECT_FALSE(sides.open_corner());
+  sides.top = line({0.0, 20.0}, {9.0, 20.0});
+  EXPECT_EQ(sides.open_corner().value_or(""), "the end of right at (10, 20) and the end of top at (9, 20)");
+}
+
+// A panel added to a mesh gets nodes of its own, named ordered edges and relative positions from bottom to top.
+TEST(FourSided, PanelsAreAddedOneAfterAnother) {
+  Mesh mesh;
+  const Grid grid = mesh_four_sided("front", rectangle(20.0, 40.0), options(2, 4));
+  const std::vector<Vec3> placed(grid.nodes.size(), Vec3(1.0, 2.0, 3.0));
+  add_panel(mesh, "front", "knit", grid, placed, M_PI / 2);
+  add_panel(mesh, "back", "knit", grid, placed, 0.0);
+  EXPECT_EQ(mesh.nodes(), 30);
+  EXPECT_EQ(mesh.elements(), 16);
+  EXPECT_THAT(mesh.edges.at("front.bottom"), ::testing::ElementsAre(0, 1, 2));
+  EXPECT_THAT(mesh.edges.at("front.right"), ::testing::ElementsAre(2, 5, 8, 11, 14));
+  EXPECT_THAT(mesh.edges.at("back.left"), ::testing::ElementsAre(15, 18, 21, 24, 27));
+  EXPECT_THAT(mesh.edges.at("back.top"), ::testing::ElementsAre(27, 28, 29));
+  EXPECT_EQ(mesh.blocks[1].connectivity[0], 15);
+  EXPECT_DOUBLE_EQ(mesh.blocks[0].position[0], 0.125);
+  EXPECT_DOUBLE_EQ(mesh.blocks[0].position[7], 0.875);
+  EXPECT_DOUBLE_EQ(mesh.blocks[0].wale_angle[3], M_PI / 2);
+}
+
+}  // namespace
+}  // namespace toile::mesh

@@ -1,0 +1,100 @@
+#include "toile/result/body_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support.hpp"
+
+namespace toile::result::test {
+namespace {
+
+constexpr double radius = 60.0;
+constexpr double offset = 0.5;
+
+double cylinder(double /*z*/) {
+  return radius;
+}
+double sleeve_radius(double /*z*/) {
+  return radius + offset;
+}
+
+/// A sleeve from height 50 to 150 on a cylinder from 0 to 200, with a pressure that is linear in height.
+struct Sleeve {
+  mesh::Mesh mesh = tube(sleeve_radius, 50.0, 100.0, 72, 20);
+  body::TriangleMesh body = revolution(cylinder, 0.0, 200.0, 60, 41);
+  std::vector<double> pressure;
+  std::vector<double> gap = std::vector<double>(mesh.placed.size(), 0.0);
+
+  Sleeve() {
+    for (const mesh::Vec3& node : mesh.placed) {
+      pressure.push_back(pressure_at(node.z()));
+    }
+  }
+  static double pressure_at(double z) { return 1.0 + 0.01 * z; }
+  std::vector<double> map() const { return map_to_body(mesh, mesh.placed, pressure, gap, body); }
+  int covered(const std::vector<double>& field) const {
+    return static_cast<int>(std::count_if(field.begin(), field.end(), [](double p) { return p > 0.0; }));
+  }
+};
+
+/// The field is the sleeve's under the sleeve, and zero elsewhere.
+void expect_under_sleeve(const body::TriangleMesh& body, const std::vector<double>& field) {
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const double z = body.vertices[i].z();
+    const bool covered = z > 50.0 && z < 150.0;
+    // The closest point of a facet lies along the facet's normal, a little to the side of the vertex but not above it.
+    EXPECT_NEAR(field[i], covered ? Sleeve::pressure_at(z) : 0.0, 1e-9) << "height " << z;
+  }
+}
+
+// Under the sleeve the body shows the garment's pressure exactly, beyond its edges none.
+TEST(BodyMap, CylinderCarriesTheSleevesPressure) {
+  const Sleeve sleeve;
+  const std::vector<double> field = sleeve.map();
+  expect_under_sleeve(sleeve.body, field);
+  EXPECT_GT(sleeve.covered(field), 1000);
+}
+
+// Which side of a panel faces the body does not matter.
+TEST(BodyMap, PanelMayBeTurnedInsideOut) {
+  Sleeve sleeve;
+  std::vector<int>& connectivity = sleeve.mesh.blocks[0].connectivity;
+  for (std::size_t i = 0; i < connectivity.size(); i += 4) {
+    std::swap(connectivity[i + 1], connectivity[i + 3]);
+  }
+  expect_under_sleeve(sleeve.body, sleeve.map());
+}
+
+// The skin of a neighbouring limb, within reach but facing the other way, takes no pressure.
+TEST(BodyMap, NeighbouringLimbTakesNone) {
+  Sleeve sleeve;
+  const body::TriangleMesh other = revolution(cylinder, 0.0, 200.0, 60, 41);
+  const int own = static_cast<int>(sleeve.body.vertices.size());
+  for (const body::Vec3& vertex : other.vertices) {
+    sleeve.body.vertices.push_back(vertex + body::Vec3(2.0 * radius + 2.0, 0.0, 0.0));
+  }
+  for (const auto& [a, b, c] : other.triangles) {
+    sleeve.body.triangles.push_back({a + own, b + own, c + own});
+  }
+  const std::vector<double> field = sleeve.map();
+  for (std::size_t i = static_cast<std::size_t>(own); i < field.size(); ++i) {
+    EXPECT_EQ(field[i], 0.0) << "vertex " << i;
+  }
+  EXPECT_GT(sleeve.covered(field), 1000);
+}
+
+// A garment that stands off further than the limit is mapped where its gap says so, and not otherwise.
+TEST(BodyMap, LimitGrowsWithTheGap) {
+  Sleeve sleeve;
+  for (mesh::Vec3& node : sleeve.mesh.placed) {
+    node.head<2>() *= (radius + 8.0) / (radius + offset);
+  }
+  EXPECT_EQ(sleeve.covered(sleeve.map()), 0);
+  std::fill(sleeve.gap.begin(), sleeve.gap.end(), 8.0);
+  expect_under_sleeve(sleeve.body, sleeve.map());
+}
+
+}  // namespace
+}  // namespace toile::result::test

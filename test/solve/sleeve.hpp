@@ -1,0 +1,98 @@
+// A tube sewn from one panel around a rigid cylinder, built by hand: the smallest scene with seams and contact.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "toile/solve/problem.hpp"
+
+namespace toile::test {
+
+/// Rigid cylinder about z.
+class Cylinder : public body::Surface {
+ public:
+  explicit Cylinder(double radius) : radius_(radius) {}
+  body::SurfacePoint closest(const body::Vec3& p) const override {
+    body::SurfacePoint s;
+    const double r = std::hypot(p[0], p[1]);
+    s.normal = body::Vec3(p[0] / r, p[1] / r, 0.0);
+    s.gap = r - radius_;
+    const body::Vec3 t(-s.normal[1], s.normal[0], 0.0);
+    s.hessian = t * t.transpose() / r;
+    s.closest = p - s.gap * s.normal;
+    s.found = true;
+    return s;
+  }
+  double reach() const override { return radius_; }
+  body::TriangleMesh triangles(double) const override { return {}; }
+  std::string summary() const override { return "cylinder"; }
+
+ private:
+  double radius_;
+};
+
+/// Panel 2 pi R0 x L0 (course around, wale along), `around` x `along` quadrilaterals, wrapped on radius `start`, both
+/// ends held along the axis at the axial stretch `axial` (free end: `hold_top` = false).
+struct Sleeve {
+  mesh::Mesh mesh;
+  std::shared_ptr<material::Material> material;
+  std::shared_ptr<body::Surface> surface;
+  solve::Problem problem;
+
+  struct Options {
+    double r0 = 50.0, l0 = 100.0, radius = 60.0, axial = 1.1;
+    int around = 24, along = 8;
+    bool hold_top = true;
+    int ranks = 1;
+  };
+
+  Sleeve(const Options& o, std::shared_ptr<material::Material> fabric)
+      : material(std::move(fabric)), surface(std::make_shared<Cylinder>(o.radius)) {
+    const double pi = std::acos(-1.0);
+    mesh::Block block;
+    block.name = "sleeve";
+    const auto node = [&](int i, int j) { return j * (o.around + 1) + i; };
+    for (int j = 0; j <= o.along; ++j)
+      for (int i = 0; i <= o.around; ++i) {
+        const double u = static_cast<double>(i) / o.around, v = static_cast<double>(j) / o.along;
+        mesh.pattern.emplace_back(2.0 * pi * o.r0 * u, o.l0 * v);
+        mesh.placed.emplace_back(o.radius * std::cos(2.0 * pi * u), o.radius * std::sin(2.0 * pi * u),
+                                 o.l0 * o.axial * v);
+      }
+    for (int j = 0; j < o.along; ++j)
+      for (int i = 0; i < o.around; ++i) {
+        for (const int n : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)})
+          block.connectivity.push_back(n);
+        block.wale_angle.push_back(0.5 * pi);
+        block.position.push_back((j + 0.5) / o.along);
+      }
+    mesh.blocks.push_back(block);
+
+    solve::Support bottom{"bottom", {}, {false, false, true}, solve::Vec3::Zero()};
+    solve::Support top = bottom;
+    top.name = "top";
+    for (int j = 0; j <= o.along; ++j) {
+      problem.clusters.push_back({node(0, j), node(o.around, j)});
+      for (int i = 1; i < o.around; ++i) problem.clusters.push_back({node(i, j)});
+    }
+    for (int i = 0; i <= o.around; ++i) {
+      bottom.nodes.push_back(node(i, 0));
+      top.nodes.push_back(node(i, o.along));
+    }
+    problem.supports.push_back(bottom);
+    if (o.hold_top) problem.supports.push_back(top);
+
+    // Ranks by rings of elements: simple, and no rank is without a neighbour.
+    problem.element_rank.emplace_back();
+    for (int j = 0; j < o.along; ++j)
+      for (int i = 0; i < o.around; ++i) problem.element_rank[0].push_back(j * o.ranks / o.along);
+    for (int j = 0; j <= o.along; ++j)
+      for (int i = 0; i < o.around; ++i) problem.cluster_rank.push_back(std::min(j, o.along - 1) * o.ranks / o.along);
+    problem.mesh = &mesh;
+    problem.laws.push_back({element::find("membrane4"), material.get()});
+    problem.surface = surface.get();
+  }
+};
+
+}  // namespace toile::test
