@@ -1,5 +1,5 @@
 #include "../material/plain_fad.hpp"
-//
+
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>

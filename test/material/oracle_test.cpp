@@ -1,5 +1,5 @@
 #include "plain_fad.hpp"
-//
+
 #include "evaluation.hpp"
 
 namespace toile::material::test {

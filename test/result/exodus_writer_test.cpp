@@ -1,7 +1,10 @@
 #include "toile/result/exodus_writer.hpp"
 
 #include <exodusII.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
 
@@ -201,6 +204,19 @@ TEST(ExodusWriter, FileIsCompleteAfterEachStep) {
     EXPECT_EQ(file.count(EX_INQ_TIME), step);
     EXPECT_EQ(file.values(step, EX_GLOBAL, 1, 0, 2)[0], step);
   }
+}
+
+// A viewer that has the file open, with HDF5's lock on it, does not end the run.
+TEST(ExodusWriter, WritesWhileAViewerLooks) {
+  const TemporaryFolder folder;
+  const Scene scene;
+  ExodusWriter writer(folder.file("out.exo"), scene.garment, &scene.body, scene.fields);
+  writer.write_step(0.5, Scene::step(0.5));
+  const int viewer = ::open(writer.path().c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(viewer, LOCK_SH | LOCK_NB), 0);
+  writer.write_step(1.0, Scene::step(1.0));
+  ::close(viewer);
+  EXPECT_EQ(Reader(writer.path()).count(EX_INQ_TIME), 2);
 }
 
 // A scene without a body has no body block and no zero fields for it.

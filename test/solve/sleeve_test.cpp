@@ -19,7 +19,7 @@ TEST(Sleeve, Try) {
   });
   solve::State start = simulation.state();
   start.seam = 1.0;
-  simulation.set_state(start);
+  simulation.set_start(start);
   solve::StageOptions stage;
   stage.name = "settle";
   try { simulation.run(stage); } catch (const std::exception& e) { std::puts(e.what()); FAIL(); }

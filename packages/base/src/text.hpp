@@ -18,10 +18,10 @@ std::string number_text(double value);
 /// A value as messages and the input reference show it: 1.5, "word", {1, 2}.
 std::string value_text(const Value& value);
 
-/// A type as messages and the input reference name it, e.g. "array of reals".
+/// A type as the XML file names it, e.g. "Array(double)".
 std::string type_text(Type type);
 
-/// ` did you mean "x"?`-style hint: `; did you mean "x"? Valid here: a, b, c`.
+/// End of a message on an unknown name: `; did you mean "width"? Valid here: height, width`.
 std::string hint(const std::string& name, const Texts& valid);
 
 }  // namespace toile::base

@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <functional>
 
 #include "list_data.hpp"
 #include "scope.hpp"
@@ -95,6 +96,7 @@ class Validator {
     }
     data_->given.insert(parameter.name);
     if (entry->isList() && parameter.may_table) {
+      data_->values.erase(parameter.name);
       read_table(parameter);
       return;
     }

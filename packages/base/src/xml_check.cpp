@@ -79,7 +79,7 @@ std::string parameter_problem(const Teuchos::XMLObject& xml) {
     return name + " has the unknown type \"" + type + "\"" + hint(type, types());
   }
   const std::string& value = xml.getAttribute("value");
-  if (!reads(type, value)) return name + " = \"" + value + "\" is not of its type " + type + ": " + example(type);
+  if (!reads(type, value)) return name + " is \"" + value + "\", expected " + example(type) + " (" + type + ")";
   return "";
 }
 

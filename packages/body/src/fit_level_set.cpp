@@ -173,7 +173,7 @@ void add_vertex(const CellGrid& grid, const Vec3& vertex, const Vec3& normal, do
   }
   const Eigen::Vector4d weights(weight, weight_of_normal, weight_of_normal, weight_of_normal);
   const Eigen::Vector4d wanted(0.0, normal.x(), normal.y(), normal.z());
-  equations->add(at, Matrix64(rows * weights.asDiagonal() * rows.transpose()));
+  equations->add(at, Matrix64((rows * weights.asDiagonal()).lazyProduct(rows.transpose())));
   equations->add(at, Vector64(rows * weights.cwiseProduct(wanted)));
 }
 

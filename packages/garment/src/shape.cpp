@@ -22,8 +22,8 @@ FourSides rectangle_sides(const base::List& panel) {
 
 base::Spec four_sided_spec() {
   return base::Spec("four-sided",
-                    "Panel between four curves that are given by points, counter-clockwise seen from "
-                    "the right side of the fabric.")
+                    "Panel between four curves that are given by points from corner to corner. Seen from the "
+                    "right side of the fabric, bottom, right, top, left go round counter-clockwise.")
       .reals("bottom", "mm", "Points x, y, x, y, ... of the lower side, from the left to the right corner.")
       .reals("right", "mm", "Points of the right side, from the lower to the upper corner.")
       .reals("top", "mm", "Points of the upper side, from the left to the right corner.")

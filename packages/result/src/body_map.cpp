@@ -47,7 +47,7 @@ double interpolate(const std::array<int, 3>& triangle, const Vec3& weights, cons
 
 /// The closest point lies along the garment's normal; beyond a free edge it lies sideways.
 bool faces(const body::TriangleTree::Hit& hit, const Vec3& vertex) {
-  constexpr double smallest_cosine = 0.5;
+  constexpr double smallest_cosine = 0.9;
   const double along = std::abs(hit.pseudo_normal.dot(hit.point - vertex));
   return hit.distance < 1e-9 || along >= smallest_cosine * hit.distance;
 }
@@ -82,6 +82,10 @@ std::vector<Match> candidates(const GarmentTriangles& garment, const std::vector
 std::vector<double> map_to_body(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& position,
                                 const std::vector<double>& values, const std::vector<double>& gap,
                                 const body::TriangleMesh& body, const BodyMapOptions& options) {
+  std::vector<double> result(body.vertices.size(), 0.0);
+  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; })) {
+    return result;  // before the garment touches the body there is nothing to search for
+  }
   const GarmentTriangles triangles = triangulate(garment, position);
   const std::vector<double> vertex_values = at_vertices(garment, values);
   const std::vector<Match> matches = candidates(triangles, at_vertices(garment, gap), body, options.limit);
@@ -89,7 +93,6 @@ std::vector<double> map_to_body(const mesh::Mesh& garment, const std::vector<mes
   for (const Match& match : matches) {
     side[static_cast<std::size_t>(match.block)] += match.agreement;
   }
-  std::vector<double> result(body.vertices.size(), 0.0);
   for (const Match& match : matches) {
     const double sign = side[static_cast<std::size_t>(match.block)] < 0.0 ? -1.0 : 1.0;
     if (sign * match.agreement >= options.agreement) {

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "toile/base/error.hpp"
@@ -14,6 +15,7 @@ void check_access(const std::string& path, const char* mode, const std::string& 
     throw base::InputError(failure + std::strerror(errno));
   }
   std::fclose(probe);
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
 }
 
 }  // namespace toile::result

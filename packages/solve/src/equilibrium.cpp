@@ -8,7 +8,7 @@
 namespace toile::solve {
 
 Equilibrium::Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
-                         std::vector<std::array<bool, 3>> pinned, const Drive& drive, bool seams_closed,
+                         const Drive& drive, bool seams_closed,
                          const SolverOptions& options, RCP<const Comm> comm)
     : problem_(problem),
       options_(options),
@@ -20,7 +20,6 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start, std::vector
       linear_(tangent_, options.linear),
       start_(start) {
   tangent_->fillComplete(layout_.dof_map, layout_.dof_map);
-  for (const int c : layout_.clusters) pinned_.push_back(pinned[c]);
   mass_ = elements_.reference_areas();
   cluster_mass_.assign(layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < mass_.size(); ++n) cluster_mass_[layout_.node_cluster[n]] += mass_[n];
@@ -392,27 +391,33 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
     const contact::NodeContact c = contact(i, s, data[first + i]);
     contact_on[layout_.contact_nodes[i].cluster] += data[first + i] * c.normal;
   }
-  double mine[16] = {0.0}, all[16];
+  // Rows of three: contact, load, damping, pins, one a support; last the sum of magnitudes.
+  constexpr size_t contact_row = 0, load_row = 1, damping_row = 2, pin_row = 3, support_row = 4;
+  const size_t count = 3 * (support_row + problem_.supports.size()) + 1;
+  std::vector<double> mine(count, 0.0), all(count, 0.0);
   for (int c = 0; c < layout_.owned_clusters; ++c)
-    for (int d = 0; d < 3; ++d) {
+    for (size_t d = 0; d < 3; ++d) {
       const size_t i = 3 * static_cast<size_t>(c) + d;
       const double dead = drive_.load(s) * load_[i];
+      mine[3 * contact_row + d] += contact_on[c][d];
+      mine[3 * load_row + d] += dead;
+      mine[3 * damping_row + d] -= damping[i];
+      mine.back() += std::abs(contact_on[c][d]) + std::abs(dead) + std::abs(damping[i]);
+      const HeldComponent& held = layout_.held[c][d];
+      if (!held.held) continue;
       const double reaction = sums.force[i] + damping[i] - dead - contact_on[c][d];
-      mine[d] += contact_on[c][d];
-      if (layout_.held[c][d].held) mine[(pinned_[c][d] ? 12 : 3) + d] += reaction;
-      mine[6 + d] += dead;
-      mine[9 + d] -= damping[i];
-      mine[15] += std::abs(contact_on[c][d]) + std::abs(dead) + std::abs(damping[i]) +
-                  (layout_.held[c][d].held ? std::abs(reaction) : 0.0);
+      mine[3 * (held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support)) + d] += reaction;
+      mine.back() += std::abs(reaction);
     }
-  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 16, mine, all);
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(), all.data());
+  const auto row = [&](size_t k) { return Vec3(all[3 * k], all[3 * k + 1], all[3 * k + 2]); };
   ForceBalance b;
-  b.contact = Vec3(all[0], all[1], all[2]);
-  b.support = Vec3(all[3], all[4], all[5]);
-  b.load = Vec3(all[6], all[7], all[8]);
-  b.damping = Vec3(all[9], all[10], all[11]);
-  b.pins = Vec3(all[12], all[13], all[14]);
-  b.magnitude = all[15];
+  b.contact = row(contact_row);
+  b.load = row(load_row);
+  b.damping = row(damping_row);
+  b.pins = row(pin_row);
+  for (size_t k = 0; k < problem_.supports.size(); ++k) b.support.push_back(row(support_row + k));
+  b.magnitude = all.back();
   return b;
 }
 

@@ -36,7 +36,7 @@ struct Imbalance {
 class Equilibrium {
  public:
   Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
-              std::vector<std::array<bool, 3>> pinned, const Drive& drive, bool seams_closed, const SolverOptions& options,
+              const Drive& drive, bool seams_closed, const SolverOptions& options,
               RCP<const Comm> comm);
 
   const RCP<const Map>& map() const { return layout_.state_map; }
@@ -108,7 +108,6 @@ class Equilibrium {
   RCP<Matrix> tangent_;
   ElementAssembly elements_;
   LinearSolver linear_;
-  std::vector<std::array<bool, 3>> pinned_;  ///< [local cluster] held only against a null motion
   std::vector<std::array<std::array<std::int64_t, 3>, 3>> diagonal_;  ///< [owned cluster] places in the tangent or -1
   std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
 

@@ -13,6 +13,7 @@ struct HeldComponent {
   bool held = false;
   double base = 0.0;          ///< mm
   double displacement = 0.0;  ///< mm at load 1
+  int support = -1;           ///< index into Problem::supports; -1: held against a null motion
 };
 
 /// One node at which contact is evaluated.

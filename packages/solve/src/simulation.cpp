@@ -30,7 +30,8 @@ std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem
   for (size_t c = 0; c < problem.clusters.size(); ++c)
     for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
   std::vector<std::array<HeldComponent, 3>> held(problem.clusters.size());
-  for (const Support& support : problem.supports) {
+  for (size_t s = 0; s < problem.supports.size(); ++s) {
+    const Support& support = problem.supports[s];
     if (released.count(support.name)) continue;
     for (const int node : support.nodes)
       for (int i = 0; i < 3; ++i) {
@@ -41,7 +42,8 @@ std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem
                                  std::to_string(node) + " by " + std::to_string(support.displacement[i]) +
                                  " mm in direction " + "xyz"[i] + ", another support by " +
                                  std::to_string(h.displacement) + " mm");
-        h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i]};
+        h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i],
+             static_cast<int>(s)};
       }
   }
   return held;
@@ -98,6 +100,7 @@ Simulation::Simulation(const Problem& problem, const SolverOptions& options)
 }
 Simulation::~Simulation() = default;
 void Simulation::observe(Observer observer) { data_->observer = std::move(observer); }
+void Simulation::set_start(const State& state) { data_->state = state; }
 void Simulation::set_state(const State& state) {
   data_->state = state;
   data_->started = true;
@@ -114,14 +117,12 @@ void Simulation::Data::build() {
   if (seams_closed()) collapse_contact(problem, state);
   const bool closed_at_end = drive.seam_end >= 1.0;
   auto held = held_components(problem, released);
-  std::vector<std::array<bool, 3>> pinned(problem.clusters.size(), {false, false, false});
   for (const NullMotion& motion : find_null_motions(problem, state, held, closed_at_end)) {
-    held[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0};
-    pinned[motion.cluster][motion.component] = true;
+    held[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0, -1};
     notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
                     "; one component of one node is held against it");
   }
-  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), std::move(pinned), drive,
+  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), drive,
                                               seams_closed(), options, comm);
   z = equilibrium->start_vector();
   equilibrium->update_offsets(*z, 0.0);

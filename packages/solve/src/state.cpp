@@ -1,4 +1,5 @@
 #include "toile/solve/problem.hpp"
+#include "toile/solve/simulation.hpp"
 
 namespace toile::solve {
 
@@ -15,6 +16,12 @@ State placed_state(const Problem& problem) {
   state.contact_force.assign(problem.mesh->nodes(), 0.0);
   state.offset.assign(problem.mesh->nodes(), 0.0);
   return state;
+}
+
+Vec3 ForceBalance::sum() const {
+  Vec3 total = contact + load + damping + pins;
+  for (const Vec3& reaction : support) total += reaction;
+  return total;
 }
 
 }  // namespace toile::solve

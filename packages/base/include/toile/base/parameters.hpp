@@ -47,8 +47,9 @@ struct Parameter {
   std::string text;
   Value fallback = required;  ///< default value
   Range range = Range::any();
-  Texts choices = {};      ///< texts only: the allowed words (empty: any)
-  bool may_table = false;  ///< a real that may also be given as a list {position, value} along the panel
+  Texts choices = {};  ///< texts only: the allowed words (empty: any)
+  /// A real that may also be given as a list of its name with two Array(double), "position" and "value".
+  bool may_table = false;
 };
 
 /// Description of one parameter list: its parameters and the lists inside it.
@@ -98,7 +99,8 @@ class Spec {
 };
 
 /// A validated list: every name in it is declared, every value has its type and range, defaults are filled in.
-/// Cheap to copy (shares the data). Reading an undeclared name is our own bug (assert).
+/// Cheap to copy (shares the data). Reading a name that is not declared, or with another type, is our own bug: Error
+/// (internal). An int of the file is read by real() where a real is declared; an Array(int) by reals().
 class List {
  public:
   double real(const std::string& name) const;
@@ -109,10 +111,11 @@ class List {
   const Texts& words(const std::string& name) const;
 
   bool has_list(const std::string& name) const;
-  List list(const std::string& name) const;   ///< the list of a fixed name; it must be present
-  std::vector<List> entries() const;          ///< the lists with free names, in the order of the file
+  List list(const std::string& name) const;       ///< the list of a fixed name; it must be present
+  std::vector<List> entries() const;              ///< the lists with free names, in the order of the file
   bool has_table(const std::string& name) const;  ///< a `may_table` real was given as a table
-  /// Rows (position, value) of such a table, positions strictly increasing.
+  /// Rows (position, value) of such a table: at least one; positions relative (0..1 along the panel), strictly
+  /// increasing; values in the parameter's unit and range. real() is not available then.
   std::vector<std::pair<double, double>> table(const std::string& name) const;
   bool given(const std::string& name) const;  ///< written in the file, not filled in by default
 
@@ -130,9 +133,12 @@ class List {
   std::shared_ptr<const Data> data_;
 };
 
-/// Reads a Teuchos XML file. Throws InputError (missing file, XML error with its line).
-/// Then validates it against `spec`, recursively, before anything is built; collects every problem it finds in one
-/// InputError: unknown name (with the nearest valid one and the list of all), wrong type, out of range, missing.
+/// Reads a Teuchos XML file and validates it against `spec`, recursively, before anything is built.
+/// Throws InputError: missing file; XML error with its line; else one line for every problem, of the form
+///   `leg.xml: scene > Panels > front: unknown parameter "widht"; did you mean "width"? Valid here: height, width`
+/// First what cannot be read at all (a word where a number stands, an unknown type, a name given twice); if there is
+/// none, every unknown name, wrong type, value out of range, unknown choice, missing parameter and missing list.
+/// Where a variant's selector is missing or wrong, names that are valid in one of its variants are not complained of.
 List read_xml(const std::string& file, const Spec& spec);
 
 /// Same for a list that is already in memory; `file` is only named in messages.

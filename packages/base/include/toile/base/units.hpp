@@ -4,7 +4,7 @@ namespace toile::base {
 
 /// Toile computes in mm, N, MPa, s.
 inline constexpr double kpa_per_mpa = 1000.0;
-/// Conventional millimetre of mercury, 133.322 Pa; hosiery classes are given in it.
+/// Conventional millimetre of mercury, 133.3224 Pa; hosiery classes are given in it.
 inline constexpr double mmhg_per_kpa = 7.50062;
 
 constexpr double mpa_to_kpa(double pressure) {

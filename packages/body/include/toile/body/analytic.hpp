@@ -16,8 +16,8 @@ struct Span {
   double top = 0.0;
 };
 
-/// Bodies given by a formula, about the z axis. Gap, normal and Hessian are exact to round-off. A point is not `found`
-/// where the closest point is not unique (on the axis, at a focal point of the inside).
+/// Bodies given by a formula, about the z axis. The gap is the global minimum; gap, normal and Hessian are exact to
+/// round-off. A point is not `found` where the gap has no derivatives (on the axis, at a centre of curvature).
 
 /// Body of revolution with the given profile; `name` stands in the summary.
 SurfacePtr revolution(ProfilePtr profile, Span shown, const std::string& name);

@@ -119,10 +119,11 @@ inline Lane pow(Lane x, Lane exponent) {
 }
 #endif
 
-/// Vector instruction where there is one: std::sqrt may set errno, so the compiler would go lane by lane.
+/// Vector instruction where there is one: std::sqrt may set errno, so the compiler would go lane by lane. (The unmasked
+/// AVX-512 intrinsic draws a false warning about an uninitialised value from GCC 12.)
 inline Lane sqrt(Lane x) {
 #if TOILE_LANES == 8
-  return Lane(Lane::Vector(_mm512_sqrt_pd(__m512d(x.v))));
+  return Lane(Lane::Vector(_mm512_maskz_sqrt_pd(0xff, __m512d(x.v))));
 #elif TOILE_LANES == 4
   return Lane(Lane::Vector(_mm256_sqrt_pd(__m256d(x.v))));
 #else

@@ -13,12 +13,12 @@ namespace toile::solve {
 /// Forces of a configuration, summed over the garment (N). They add up to zero in equilibrium.
 struct ForceBalance {
   Vec3 contact = Vec3::Zero();  ///< of the body on the garment
-  Vec3 support = Vec3::Zero();
+  std::vector<Vec3> support;    ///< reaction of each support, in the order of Problem::supports
   Vec3 load = Vec3::Zero();
   Vec3 damping = Vec3::Zero();
-  Vec3 pins = Vec3::Zero();
+  Vec3 pins = Vec3::Zero();  ///< of what is held against null motions
   double magnitude = 0.0;  ///< sum of the magnitudes of the nodal forces
-  Vec3 sum() const { return contact + support + load + damping + pins; }
+  Vec3 sum() const;
 };
 
 /// One accepted step.
@@ -62,7 +62,9 @@ class Simulation {
 
   /// Called on every rank after each accepted step.
   void observe(Observer observer);
-  /// Continues from a state (restart, or a start of the caller's own).
+  /// Starts from a configuration that is not in equilibrium; contact forces are estimated from it.
+  void set_start(const State& state);
+  /// Continues from a converged state with its contact forces (restart).
   void set_state(const State& state);
   /// Takes the garment through one stage. Throws base::SolveError if its end cannot be reached; state() is then the
   /// last converged one.

@@ -1,0 +1,44 @@
+#include <Tpetra_Core.hpp>
+#include <iostream>
+
+#include "commands.hpp"
+#include "toile/base/error.hpp"
+#include "toile/scene/scene.hpp"
+
+namespace toile::app {
+
+int check(const std::string& file) {
+  base::Timer timer;
+  const base::List list = base::read_xml(file, scene::scene_spec());
+  const scene::Scene scene(list, 1, timer);
+  if (Tpetra::getDefaultComm()->getRank() == 0)
+    std::cout << file << ": valid. " << scene.garment().mesh.nodes() << " nodes, " << scene.garment().mesh.elements()
+              << " elements, " << scene.garment().seams.size() << " seams, " << scene.stages().size() << " stages"
+              << (scene.surface() != nullptr ? "; " + scene.surface()->summary() : std::string()) << std::endl;
+  return static_cast<int>(base::ExitCode::success);
+}
+
+int describe(bool markdown, const std::string& name) {
+  base::Spec spec = scene::scene_spec();
+  if (!name.empty()) {
+    base::Texts valid;
+    const base::Spec* found = nullptr;
+    for (const auto& [inner, is_required] : spec.lists()) {
+      valid.push_back(inner.name());
+      if (inner.name() == name) found = &inner;
+    }
+    if (found == nullptr) {
+      const std::string near = base::nearest_name(name, valid);
+      std::string all;
+      for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
+      throw base::InputError("describe: the scene has no list \"" + name + "\"" +
+                             (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Lists: " + all);
+    }
+    spec = base::Spec(*found);
+  }
+  if (Tpetra::getDefaultComm()->getRank() == 0)
+    std::cout << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+  return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace toile::app

@@ -1,0 +1,214 @@
+#include "recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "toile/base/error.hpp"
+#include "toile/base/units.hpp"
+#include "toile/result/body_map.hpp"
+#include "toile/result/csv.hpp"
+#include "toile/result/plot.hpp"
+#include "toile/result/pressure_lines.hpp"
+#include "toile/result/state_file.hpp"
+
+namespace toile::app {
+
+namespace {
+
+/// Units of solve::element_field_names(), in their order.
+const std::vector<std::string> element_units = {"",    "",    "",    "",     "MPa",  "MPa",   "MPa",
+                                                "MPa", "MPa", "N/mm", "N/mm", "MPa", "mm", ""};
+
+const std::vector<result::FieldName> global_names = {
+    {"load", ""},           {"seam_closing", ""},    {"strain_energy", "N mm"}, {"dissipated_energy", "N mm"},
+    {"dissipation_ratio", ""}, {"iterations", ""},   {"cut_backs", ""},         {"residual", ""},
+    {"largest_gap", "mm"},  {"negative_pivots", ""}, {"undamped", ""},          {"wall_time", "s"}};
+
+std::vector<double> global_values(const solve::StepReport& r) {
+  return {r.load,
+          r.seam,
+          r.strain_energy,
+          r.dissipated,
+          r.dissipation_ratio,
+          static_cast<double>(r.iterations),
+          static_cast<double>(r.cut_backs),
+          r.residual,
+          r.gap,
+          static_cast<double>(r.negative_pivots),
+          r.undamped ? 1.0 : 0.0,
+          r.seconds};
+}
+
+result::FieldNames field_names(bool with_body) {
+  result::FieldNames names;
+  if (with_body)
+    names.nodal = {{"pressure", "kPa"}, {"gap", "mm"}, {"normal_x", ""}, {"normal_y", ""}, {"normal_z", ""}};
+  names.nodal.push_back({"area", "mm^2"});
+  for (size_t i = 0; i < solve::element_field_names().size(); ++i)
+    names.element.push_back({solve::element_field_names()[i], element_units[i]});
+  names.global = global_names;
+  return names;
+}
+
+std::vector<double> concatenate(const solve::Fields& fields, size_t field) {
+  std::vector<double> all;
+  for (const auto& block : fields.element)
+    all.insert(all.end(), block[field].values.begin(), block[field].values.end());
+  return all;
+}
+
+std::vector<double> element_field(const solve::Fields& fields, const std::string& name) {
+  const auto& names = solve::element_field_names();
+  return concatenate(fields, static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+}
+
+}  // namespace
+
+Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene_(scene), folder_(folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw base::InputError("cannot make the folder of the results \"" + folder + "\": " + problem.message());
+  if (scene.surface() != nullptr) body_ = scene.surface()->triangles(scene.output().body_size);
+  exodus_ = std::make_unique<result::ExodusWriter>(folder + "/results.exo", scene.garment().mesh,
+                                                   scene.surface() != nullptr ? &body_ : nullptr,
+                                                   field_names(scene.surface() != nullptr));
+  history_ = std::make_unique<result::History>(folder + "/history.h5", global_names);
+  distances_.resize(scene.output().distances.size());
+}
+
+void Recorder::step(const solve::StepReport& report, const solve::State& state) {
+  fields_ = solve::compute_fields(scene_.problem(), state);
+  reports_.push_back(report);
+  for (size_t i = 0; i < distances_.size(); ++i) {
+    const scene::Distance& d = scene_.output().distances[i];
+    distances_[i].push_back((fields_.position[d.second] - fields_.position[d.first]).norm());
+  }
+  write_exodus(report);
+  history_->append(global_values(report));
+  write_restart(report, state);
+}
+
+void Recorder::write_exodus(const solve::StepReport& report) {
+  result::StepData data;
+  const size_t nodes = fields_.position.size();
+  for (size_t n = 0; n < nodes; ++n)
+    data.displacement.push_back(fields_.position[n] - scene_.garment().mesh.placed[n]);
+  data.nodal["area"] = fields_.area;
+  if (scene_.surface() != nullptr) {
+    std::vector<double> kpa(nodes);
+    std::transform(fields_.pressure.begin(), fields_.pressure.end(), kpa.begin(), base::mpa_to_kpa);
+    data.nodal["gap"] = fields_.gap;
+    for (size_t d = 0; d < 3; ++d) {
+      std::vector<double>& component = data.nodal[std::string("normal_") + "xyz"[d]];
+      for (size_t n = 0; n < nodes; ++n) component.push_back(fields_.normal[n][static_cast<Eigen::Index>(d)]);
+    }
+    data.body_nodal["pressure"] = result::map_to_body(scene_.garment().mesh, fields_.position, kpa, fields_.gap, body_);
+    data.nodal["pressure"] = std::move(kpa);
+  }
+  for (size_t f = 0; f < solve::element_field_names().size(); ++f)
+    data.element[solve::element_field_names()[f]] = concatenate(fields_, f);
+  const std::vector<double> globals = global_values(report);
+  for (size_t g = 0; g < globals.size(); ++g) data.global[global_names[g].name] = globals[g];
+  exodus_->write_step(report.step, data);
+}
+
+void Recorder::write_restart(const solve::StepReport& report, const solve::State& state) const {
+  result::StateData data;
+  std::vector<double>& position = data.reals["position"];
+  for (const solve::Vec3& p : state.position) position.insert(position.end(), p.data(), p.data() + 3);
+  data.reals["contact_force"] = state.contact_force;
+  data.reals["offset"] = state.offset;
+  data.reals["seam_load_parameter"] = {state.seam, state.load, report.parameter};
+  data.integers["step"] = {report.step};
+  data.metadata["stage"] = report.stage;
+  data.metadata["title"] = scene_.title();
+  result::write_state(folder_ + "/restart.h5", data);
+}
+
+void Recorder::finish(base::Log& log) {
+  if (reports_.empty()) return;
+  const scene::Output& output = scene_.output();
+  if (scene_.surface() != nullptr && (output.stations > 0 || !output.levels.empty())) write_pressure(log);
+  if (!output.force_curves.empty()) write_forces(log);
+}
+
+void Recorder::write_pressure(base::Log& log) const {
+  const scene::Output& output = scene_.output();
+  const result::GarmentFields garment{&scene_.garment().mesh, fields_.position, fields_.pressure,
+                                      element_field(fields_, "tension_course"), element_field(fields_, "cauchy_minor")};
+  const result::Axis axis{output.axis_point, output.axis_direction};
+  result::Plot plot;
+  plot.title = scene_.title();
+  plot.x_label = "height along the axis (mm)";
+  plot.y_label = "contact pressure (kPa)";
+  plot.second_axis = result::SecondAxis{"mmHg", base::mmhg_per_kpa};
+  plot.y_from_zero = true;
+  if (output.stations > 1) {
+    const std::vector<result::LevelRow> rows = result::pressure_curve(garment, axis, output.stations);
+    result::write_pressure_csv(folder_ + "/pressure-curve.csv", rows);
+    const auto add = [&](const std::string& name, double result::LevelRow::*value) {
+      result::Series series;
+      series.title = name;
+      for (const result::LevelRow& row : rows) {
+        series.x.push_back(row.height);
+        series.y.push_back(base::mpa_to_kpa(row.*value));
+      }
+      plot.series.push_back(series);
+    };
+    add("mean around the section", &result::LevelRow::pressure_mean);
+    add("smallest", &result::LevelRow::pressure_min);
+    add("largest", &result::LevelRow::pressure_max);
+    add("Laplace T/r", &result::LevelRow::laplace);
+  }
+  if (!output.levels.empty()) {
+    std::vector<result::Level> levels;
+    for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});
+    const std::vector<result::LevelRow> rows = result::levels(garment, axis, levels);
+    result::write_pressure_csv(folder_ + "/pressure-levels.csv", rows);
+    result::Series series;
+    series.title = "levels";
+    series.line = false;
+    series.markers = true;
+    for (const result::LevelRow& row : rows) {
+      series.x.push_back(row.height);
+      series.y.push_back(base::mpa_to_kpa(row.pressure_mean));
+      series.labels.push_back(row.name);
+    }
+    plot.series.push_back(series);
+  }
+  if (const auto warning = result::write_plot(folder_, "pressure", plot)) log.warn(*warning);
+}
+
+void Recorder::write_forces(base::Log& log) const {
+  const scene::Output& output = scene_.output();
+  result::Table table;
+  result::Plot plot;
+  plot.title = scene_.title();
+  plot.x_label = "stretch";
+  plot.y_label = "force (N)";
+  result::Column step{{"step", ""}, {}}, load{{"load", ""}, {}};
+  for (const solve::StepReport& r : reports_) {
+    step.values.push_back(r.step);
+    load.values.push_back(r.load);
+  }
+  table.columns = {step, load};
+  for (const scene::ForceCurve& curve : output.force_curves) {
+    const solve::Vec3 move = scene_.problem().supports[curve.support].displacement;
+    result::Series series;
+    series.title = curve.title;
+    for (const solve::StepReport& r : reports_) {
+      series.x.push_back(1.0 + r.load * move.norm() / curve.length);
+      series.y.push_back(move.norm() > 0.0 ? r.balance.support[curve.support].dot(move) / move.norm() : 0.0);
+    }
+    table.columns.push_back({{curve.title + ": stretch", ""}, series.x});
+    table.columns.push_back({{curve.title + ": force", "N"}, series.y});
+    plot.series.push_back(series);
+  }
+  for (size_t i = 0; i < distances_.size(); ++i)
+    table.columns.push_back({{output.distances[i].title, "mm"}, distances_[i]});
+  result::write_csv(folder_ + "/force-curves.csv", table);
+  if (const auto warning = result::write_plot(folder_, "force-curves", plot)) log.warn(*warning);
+}
+
+}  // namespace toile::app

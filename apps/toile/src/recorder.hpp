@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "toile/base/log.hpp"
+#include "toile/result/exodus_writer.hpp"
+#include "toile/result/history.hpp"
+#include "toile/scene/scene.hpp"
+#include "toile/solve/fields.hpp"
+#include "toile/solve/simulation.hpp"
+
+namespace toile::app {
+
+/// Writes what a run produces into its folder (rank 0 only): results.exo, history.h5, restart.h5 at every accepted
+/// step; pressure and force curves at the end.
+class Recorder {
+ public:
+  Recorder(const scene::Scene& scene, const std::string& folder);
+
+  void step(const solve::StepReport& report, const solve::State& state);
+  /// Curves and plots of the last state.
+  void finish(base::Log& log);
+
+  const solve::Fields& last() const { return fields_; }
+  const std::vector<solve::StepReport>& reports() const { return reports_; }
+
+ private:
+  void write_exodus(const solve::StepReport& report);
+  void write_restart(const solve::StepReport& report, const solve::State& state) const;
+  void write_pressure(base::Log& log) const;
+  void write_forces(base::Log& log) const;
+
+  const scene::Scene& scene_;
+  std::string folder_;
+  body::TriangleMesh body_;
+  std::unique_ptr<result::ExodusWriter> exodus_;
+  std::unique_ptr<result::History> history_;
+  solve::Fields fields_;
+  std::vector<solve::StepReport> reports_;
+  std::vector<std::vector<double>> distances_;  ///< [curve][step] mm
+};
+
+}  // namespace toile::app

@@ -1,0 +1,103 @@
+#include <omp.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Core.hpp>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "commands.hpp"
+#include "recorder.hpp"
+#include "summary.hpp"
+#include "toile/base/error.hpp"
+#include "toile/base/log.hpp"
+#include "toile/base/progress.hpp"
+
+namespace toile::app {
+
+namespace {
+
+/// Something that only rank 0 does (files): if it fails there, every rank gets the error.
+template <class F>
+void on_first_rank(const F& work) {
+  const auto comm = Tpetra::getDefaultComm();
+  int code = 0;
+  std::string message;
+  if (comm->getRank() == 0) {
+    try {
+      work();
+    } catch (const base::Error& error) {
+      code = static_cast<int>(error.code());
+      message = error.what();
+    } catch (const std::exception& error) {
+      code = static_cast<int>(base::ExitCode::internal_error);
+      message = error.what();
+    }
+  }
+  Teuchos::broadcast(*comm, 0, Teuchos::outArg(code));
+  if (code != 0) throw base::Error(static_cast<base::ExitCode>(code), message);
+}
+
+std::string folder_of(const RunArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return "results/" + std::filesystem::path(arguments.scene).stem().string();
+}
+
+}  // namespace
+
+int run(const RunArguments& arguments) {
+  const auto comm = Tpetra::getDefaultComm();
+  const bool first = comm->getRank() == 0;
+  base::Log log = first ? base::Log(std::cout, std::cerr, arguments.quiet) : base::Log();
+  base::Timer timer;
+  omp_set_num_threads(arguments.threads);
+
+  const base::List list = base::read_xml(arguments.scene, scene::scene_spec());
+  const scene::Scene scene(list, comm->getSize(), timer);
+  const std::string folder = folder_of(arguments);
+  std::optional<Recorder> recorder;
+  on_first_rank([&] { recorder.emplace(scene, folder); });
+  log.info(scene.title() + "\n" + std::to_string(scene.garment().mesh.nodes()) + " nodes, " +
+           std::to_string(comm->getSize()) + " rank(s), results in " + folder);
+
+  solve::Simulation simulation(scene.problem(), scene.solver());
+  simulation.set_start(scene.start());
+  int stage_number = 0;
+  simulation.observe([&](const solve::StepReport& r, const solve::State& state) {
+    base::ProgressPoint point;
+    point.stage = r.stage;
+    point.stage_number = stage_number;
+    point.stages = static_cast<int>(scene.stages().size());
+    point.step = r.step;
+    point.parameter = r.parameter;
+    point.load = r.load;
+    point.iterations = r.iterations;
+    point.seconds = timer.elapsed();
+    log.info(base::progress_line(point));
+    const auto phase = timer.phase("output");
+    on_first_rank([&] { recorder->step(r, state); });
+  });
+  for (const solve::StageOptions& stage : scene.stages()) {
+    ++stage_number;
+    const auto phase = timer.phase("solve");
+    simulation.run(stage);
+  }
+
+  std::vector<std::string> failed;
+  on_first_rank([&] {
+    {
+      const auto phase = timer.phase("curves");
+      recorder->finish(log);
+    }
+    const solve::StepReport& last = recorder->reports().back();
+    for (const std::string& note : simulation.notes()) log.warn(note);
+    log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
+    failed = failed_checks(scene, figures_of(recorder->last(), last));
+    std::string all;
+    for (const std::string& f : failed) all += (all.empty() ? "" : "\n") + f;
+    if (!failed.empty()) throw base::Error(base::ExitCode::check_failed, all);
+  });
+  return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace toile::app

@@ -1,0 +1,105 @@
+#include "summary.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "toile/base/units.hpp"
+
+namespace toile::app {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
+  return all.empty() ? "none" : all;
+}
+
+std::string vector_text(const solve::Vec3& v) {
+  std::ostringstream out;
+  out.precision(6);
+  out << "(" << v[0] << ", " << v[1] << ", " << v[2] << ") N";
+  return out.str();
+}
+
+}  // namespace
+
+Figures figures_of(const solve::Fields& fields, const solve::StepReport& report) {
+  Figures f;
+  f.smallest_pressure = std::numeric_limits<double>::infinity();
+  for (const double p : fields.pressure) {
+    f.largest_pressure = std::max(f.largest_pressure, base::mpa_to_kpa(p));
+    if (p > 0.0) f.smallest_pressure = std::min(f.smallest_pressure, base::mpa_to_kpa(p));
+  }
+  if (f.largest_pressure == 0.0) f.smallest_pressure = 0.0;
+  f.smallest_stress = base::mpa_to_kpa(fields.smallest_principal_stress);
+  solve::ForceBalance written = report.balance;
+  written.contact = solve::pressure_resultant(fields);
+  f.force_balance = written.magnitude > 0.0 ? written.sum().norm() / written.magnitude : 0.0;
+  f.largest_gap = report.gap;
+  f.dissipation_ratio = report.dissipation_ratio;
+  f.extrapolated = report.extrapolated;
+  return f;
+}
+
+std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,
+                    const solve::SolveStatistics& statistics, const base::Timer& timer) {
+  const Figures f = figures_of(fields, report);
+  std::ostringstream out;
+  out.precision(6);
+  out << "Summary\n  garment: " << scene.garment().mesh.nodes() << " nodes, " << scene.garment().mesh.elements()
+      << " elements, " << statistics.unknowns << " unknowns (" << statistics.contact_nodes
+      << " of them contact multipliers)\n";
+  if (scene.surface() != nullptr) {
+    out << "  body: " << scene.surface()->summary() << "\n  pressure: " << f.smallest_pressure << " to "
+        << f.largest_pressure << " kPa (" << base::kpa_to_mmhg(f.smallest_pressure) << " to "
+        << base::kpa_to_mmhg(f.largest_pressure) << " mmHg) where the garment touches\n  largest gap of a node in contact: "
+        << f.largest_gap << " mm\n";
+  }
+  out << "  smallest principal stress: " << f.smallest_stress << " kPa"
+      << (f.smallest_stress < 0.0 ? " (compression: real fabric wrinkles there)" : "") << "\n";
+  out << "  forces on the garment: body " << vector_text(solve::pressure_resultant(fields));
+  for (size_t s = 0; s < report.balance.support.size(); ++s)
+    out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s]);
+  out << "\n    loads " << vector_text(report.balance.load) << "\n    damping " << vector_text(report.balance.damping)
+      << "\n    held against null motions " << vector_text(report.balance.pins) << "\n    sum over magnitudes: "
+      << f.force_balance << "\n";
+  out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
+      << " N mm (ratio " << f.dissipation_ratio << ")\n";
+  out << "  equilibrium: relative residual " << report.residual << ", "
+      << (report.negative_pivots == 0 ? "stable (no negative pivot)"
+                                      : std::to_string(report.negative_pivots) + " negative pivots: unstable")
+      << "\n";
+  if (report.extrapolated > 0)
+    out << "  outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "
+        << fields.largest_extrapolation << " in " << fields.extrapolated_where << "\n";
+  out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
+      << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
+      << " linear iterations, " << statistics.factorisations << " factorisations\n";
+  out << "  modules used: " << joined(scene.used()) << "\n  modules left out: " << joined(scene.left_out()) << "\n";
+  out << timer.table();
+  return out.str();
+}
+
+std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures& f) {
+  const std::map<std::string, double> values = {{"largest pressure", f.largest_pressure},
+                                                {"smallest principal stress", f.smallest_stress},
+                                                {"force balance", f.force_balance},
+                                                {"largest gap", f.largest_gap},
+                                                {"dissipation ratio", f.dissipation_ratio},
+                                                {"extrapolated elements", f.extrapolated}};
+  std::vector<std::string> failed;
+  for (const scene::Check& check : scene.checks()) {
+    const double value = values.at(check.quantity);
+    if (value >= check.lower && value <= check.upper) continue;
+    std::ostringstream message;
+    message << "check \"" << check.name << "\" does not hold: " << check.quantity << " is " << value
+            << ", allowed is " << check.lower << " to " << check.upper;
+    failed.push_back(message.str());
+  }
+  return failed;
+}
+
+}  // namespace toile::app

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""Picture of a result: the garment coloured by a field, and the body beside it with the same field mapped on it.
+
+Usage: render.py result.exo picture.png [--field pressure] [--angle 30] [--step -1] [--up z]
+
+Needs python3-vtk9; without a display also xvfb and xauth (see cmake/debian-packages.txt).
+"""
+
+import argparse
+import math
+import os
+import shutil
+import sys
+
+BODY = "body"
+LABELS = {"pressure": "contact pressure\n(kPa)", "gap": "gap (mm)", "thickness": "thickness (mm)"}
+# Perceptually even from dark to bright (value 0..1, red, green, blue).
+COLOURS = [(0.00, 0.27, 0.00, 0.33), (0.25, 0.23, 0.32, 0.55), (0.50, 0.13, 0.57, 0.55), (0.75, 0.37, 0.79, 0.38),
+           (1.00, 0.99, 0.91, 0.14)]
+GREY = (0.78, 0.77, 0.75)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("input", help="Exodus file of a run")
+    parser.add_argument("output", help="PNG file")
+    parser.add_argument("--field", default="pressure", help="field that colours the surfaces (default: pressure)")
+    parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical, degrees (default: 30)")
+    parser.add_argument("--step", type=int, default=-1, help="step of the run, counted from 0; -1: the last (default)")
+    parser.add_argument("--up", choices="xyz", default="z", help="vertical axis (default: z)")
+    parser.add_argument("--label", help="text at the colour bar (default: the field with its unit)")
+    parser.add_argument("--height", type=int, default=1200, help="height of the picture in pixels (default: 1200)")
+    return parser.parse_args()
+
+
+def ensure_display():
+    """VTK of Debian draws through X: without a display, start again inside a virtual one."""
+    if os.environ.get("DISPLAY") or sys.platform != "linux":
+        return
+    if shutil.which("xvfb-run") is None:
+        sys.exit("render.py: no display and no xvfb-run; install the packages xvfb and xauth")
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable] + sys.argv)
+
+
+def read(vtk, path, step):
+    """The element blocks at one step, by name, with displacements applied."""
+    if not os.path.isfile(path):
+        sys.exit(f"render.py: '{path}': no such file")
+    reader = vtk.vtkExodusIIReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    steps = reader.GetNumberOfTimeSteps()
+    if steps == 0:
+        sys.exit(f"render.py: '{path}' has no steps")
+    if not -steps <= step < steps:
+        sys.exit(f"render.py: '{path}' has the steps 0 to {steps - 1}, not {step}")
+    for kind in (reader.NODAL, reader.ELEM_BLOCK):
+        reader.SetAllArrayStatus(kind, 1)
+    reader.ApplyDisplacementsOn()
+    reader.SetDisplacementMagnitude(1.0)
+    times = reader.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    reader.UpdateTimeStep(times[step])
+    elements = reader.GetOutput().GetBlock(0)
+    names = [elements.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME()) for i in range(elements.GetNumberOfBlocks())]
+    return {name: elements.GetBlock(i) for i, name in enumerate(names) if elements.GetBlock(i) is not None}
+
+
+def has_field(grid, field):
+    return bool(grid.GetPointData().HasArray(field) or grid.GetCellData().HasArray(field))
+
+
+def field_names(blocks):
+    names = set()
+    for grid in blocks.values():
+        for data in (grid.GetPointData(), grid.GetCellData()):
+            names.update(data.GetArrayName(i) for i in range(data.GetNumberOfArrays()))
+    return sorted(names)
+
+
+def value_range(grids, field):
+    """Smallest and largest value on the given blocks; nodal values of other blocks do not count."""
+    ranges = []
+    for grid in grids:
+        data = grid.GetPointData() if grid.GetPointData().HasArray(field) else grid.GetCellData()
+        ranges.append(data.GetArray(field).GetRange())
+    low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
+    return (0.0 if low >= 0.0 else low), (high if high > low else low + 1.0)
+
+
+def colour_map(vtk, limits, grey_at_zero=False):
+    """256 colours over the limits; `grey_at_zero` shows what nothing touches in grey."""
+    function = vtk.vtkColorTransferFunction()
+    for value, red, green, blue in COLOURS:
+        function.AddRGBPoint(value, red, green, blue)
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for i in range(256):
+        table.SetTableValue(i, *function.GetColor(i / 255.0))
+    table.SetRange(*limits)
+    if grey_at_zero:
+        table.SetRange(limits[0] + 1e-3 * (limits[1] - limits[0]), limits[1])
+        table.SetBelowRangeColor(*GREY, 1.0)
+        table.UseBelowRangeColorOn()
+    return table
+
+
+def surface(vtk, grid):
+    geometry = vtk.vtkGeometryFilter()
+    geometry.SetInputData(grid)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputConnection(geometry.GetOutputPort())
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def actor(vtk, grid, field=None, colours=None, in_front=False):
+    """One block, in the field's colours or in grey."""
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(surface(vtk, grid))
+    if field is None:
+        mapper.ScalarVisibilityOff()
+    else:
+        if grid.GetPointData().HasArray(field):
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(field)
+        mapper.SetLookupTable(colours)
+        mapper.UseLookupTableScalarRangeOn()
+        mapper.InterpolateScalarsBeforeMappingOn()
+    if in_front:
+        # The fabric lies so close to the body that coarse triangles of the body would show through.
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -40.0)
+    result = vtk.vtkActor()
+    result.SetMapper(mapper)
+    result.GetProperty().SetColor(*GREY)
+    result.GetProperty().SetAmbient(0.25)
+    result.GetProperty().SetDiffuse(0.8)
+    return result
+
+
+def colour_bar(vtk, colours, label):
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(colours)
+    bar.SetTitle(label)
+    bar.SetNumberOfLabels(6)
+    bar.SetLabelFormat("%.3g")
+    bar.SetUnconstrainedFontSize(True)
+    bar.SetVerticalTitleSeparation(16)
+    bar.SetBarRatio(0.18)
+    bar.SetMaximumNumberOfColors(256)
+    bar.SetPosition(0.74, 0.15)
+    bar.SetWidth(0.24)
+    bar.SetHeight(0.70)
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetColor(0.1, 0.1, 0.1)
+        text.SetFontSize(24)
+        text.ShadowOff()
+        text.ItalicOff()
+        text.BoldOff()
+    return bar
+
+
+def camera_axes(up, angle):
+    """Unit vectors from the scene to the camera, to the right and upwards."""
+    cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    third = "xyz".index(up)
+    first, second = (third + 1) % 3, (third + 2) % 3
+    towards, right, upwards = [0.0] * 3, [0.0] * 3, [0.0] * 3
+    towards[first], towards[second] = cosine, sine
+    right[first], right[second] = -sine, cosine
+    upwards[third] = 1.0
+    return towards, right, upwards
+
+
+def extent(bounds, direction):
+    """Width of a box seen along a direction."""
+    return sum(abs(direction[k]) * (bounds[2 * k + 1] - bounds[2 * k]) for k in range(3))
+
+
+def bounds_of(grids):
+    boxes = [grid.GetBounds() for grid in grids]
+    return [(min if k % 2 == 0 else max)(box[k] for box in boxes) for k in range(6)]
+
+
+def build_scene(vtk, blocks, field, label, angle, up):
+    """The renderer, and how much wider than high its picture should be."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    garment = {name: grid for name, grid in blocks.items() if name != BODY}
+    limits = value_range([grid for grid in garment.values() if has_field(grid, field)], field)
+    colours = colour_map(vtk, limits)
+    for grid in garment.values():
+        renderer.AddActor(actor(vtk, grid, field if has_field(grid, field) else None, colours, in_front=True))
+    axes = camera_axes(up, angle)
+    if BODY in blocks:
+        body = blocks[BODY]
+        renderer.AddActor(actor(vtk, body))
+        if has_field(body, field):
+            shift = 1.15 * extent(bounds_of(blocks.values()), axes[1])
+            beside = actor(vtk, body, field, colour_map(vtk, limits, grey_at_zero=limits[0] == 0.0))
+            beside.SetPosition(*[shift * component for component in axes[1]])
+            renderer.AddActor(beside)
+    ratio = look_at(renderer, *axes)
+    renderer.AddViewProp(colour_bar(vtk, colours, label))
+    return renderer, ratio
+
+
+def look_at(renderer, towards, right, upwards):
+    """Parallel view of everything, with room for the colour bar on the right. Returns width / height."""
+    bounds = renderer.ComputeVisiblePropBounds()
+    height, width = 1.08 * extent(bounds, upwards), 1.05 * extent(bounds, right)
+    ratio = min(max(width / height + 0.3, 0.8), 2.0)
+    scale = max(height, width / (ratio - 0.3))
+    aside = 0.15 * scale
+    centre = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
+    focus = [centre[k] + aside * right[k] for k in range(3)]
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*[focus[k] + 2.0 * (height + width) * towards[k] for k in range(3)])
+    camera.SetViewUp(*upwards)
+    camera.SetParallelScale(0.5 * scale)
+    renderer.ResetCameraClippingRange()
+    return ratio
+
+
+def main():
+    options = arguments()
+    try:
+        import vtk
+    except ImportError:
+        sys.exit(f"render.py: {sys.executable} has no module vtk; install python3-vtk9 and use Debian's /usr/bin/python3")
+    ensure_display()
+    blocks = read(vtk, options.input, options.step)
+    if not any(has_field(grid, options.field) for name, grid in blocks.items() if name != BODY):
+        sys.exit(f"render.py: no field '{options.field}' on the garment; there are: {', '.join(field_names(blocks))}")
+    label = options.label or LABELS.get(options.field, options.field)
+    renderer, ratio = build_scene(vtk, blocks, options.field, label, options.angle, options.up)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(round(ratio * options.height), options.height)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(options.output)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()

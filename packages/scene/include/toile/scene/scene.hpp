@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toile/base/log.hpp"
+#include "toile/base/parameters.hpp"
+#include "toile/base/timer.hpp"
+#include "toile/body/surface.hpp"
+#include "toile/garment/garment.hpp"
+#include "toile/material/material.hpp"
+#include "toile/solve/options.hpp"
+#include "toile/solve/problem.hpp"
+
+namespace toile::scene {
+
+/// Description of a whole scene file: every list that Toile reads.
+base::Spec scene_spec();
+
+/// A named height along the axis of the body (hosiery levels).
+struct Level {
+  std::string name;
+  double height = 0.0;  ///< mm
+};
+
+/// A support whose reaction is drawn against its displacement.
+struct ForceCurve {
+  std::string title;
+  int support = 0;         ///< index into Problem::supports
+  double length = 1.0;     ///< pattern length that is stretched, mm
+};
+
+/// Distance between two points of named edges, written at every step.
+struct Distance {
+  std::string title;
+  int first = 0, second = 0;  ///< nodes
+};
+
+/// What the scene asks to be written beyond the fields.
+struct Output {
+  solve::Vec3 axis_point = solve::Vec3::Zero(), axis_direction = solve::Vec3::UnitZ();
+  int stations = 0;  ///< of the pressure curve along the axis; 0: none
+  double body_size = 5.0;  ///< wanted edge length of the body's triangles, mm
+  std::vector<Level> levels;
+  std::vector<ForceCurve> force_curves;
+  std::vector<Distance> distances;
+};
+
+/// Bounds that the result must keep; a check that does not hold ends the run with base::ExitCode::check_failed.
+struct Check {
+  std::string name, quantity;
+  double lower = 0.0, upper = 0.0;
+};
+
+/// Everything that one scene file describes, built and ready to be solved. The same on every rank.
+class Scene {
+ public:
+  /// Builds what the validated list names, and nothing else. Throws base::InputError.
+  Scene(const base::List& list, int ranks, base::Timer& timer);
+
+  const std::string& title() const { return title_; }
+  const garment::Garment& garment() const { return garment_; }
+  const solve::Problem& problem() const { return problem_; }
+  const body::Surface* surface() const { return surface_.get(); }
+  const std::vector<solve::StageOptions>& stages() const { return stages_; }
+  const solve::SolverOptions& solver() const { return solver_; }
+  const Output& output() const { return output_; }
+  const std::vector<Check>& checks() const { return checks_; }
+  /// Where the run starts: seams are open if a stage sews them, closed otherwise.
+  solve::State start() const;
+  /// Modules of the program that this scene uses, and those it leaves out.
+  const std::vector<std::string>& used() const { return used_; }
+  const std::vector<std::string>& left_out() const { return left_out_; }
+
+ private:
+  void build_laws(const base::List& list);
+  void build_problem(const base::List& list, int ranks);
+  void list_modules(int ranks);
+
+  std::string title_;
+  std::shared_ptr<const body::Surface> surface_;
+  garment::Garment garment_;
+  std::map<std::string, std::unique_ptr<material::Material>> materials_;
+  solve::Problem problem_;
+  std::vector<solve::StageOptions> stages_;
+  solve::SolverOptions solver_;
+  Output output_;
+  std::vector<Check> checks_;
+  bool sews_ = false, damps_ = false;
+  std::vector<std::string> used_, left_out_;
+};
+
+}  // namespace toile::scene

@@ -1,0 +1,72 @@
+#include "read_output.hpp"
+
+#include <cmath>
+
+namespace toile::scene {
+
+namespace {
+
+solve::Vec3 vector_of(const base::List& list, const std::string& name) {
+  const base::Reals& v = list.reals(name);
+  if (v.size() != 3) list.fail(name, "found " + std::to_string(v.size()) + " numbers, expected 3 (x, y, z)");
+  return solve::Vec3(v[0], v[1], v[2]);
+}
+
+std::string unknown(const std::string& kind, const std::string& name, const base::Texts& valid) {
+  const std::string near = base::nearest_name(name, valid);
+  std::string all;
+  for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
+  return "no " + kind + " is named \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
+         " Valid here: " + all;
+}
+
+int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
+  const std::string& name = list.word(parameter);
+  const auto edge = mesh.edges.find(name);
+  if (edge == mesh.edges.end()) {
+    base::Texts valid;
+    for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
+    list.fail(parameter, unknown("edge", name, valid));
+  }
+  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
+  return edge->second[static_cast<size_t>(std::lround(at))];
+}
+
+}  // namespace
+
+Output read_output(const base::List& list, const solve::Problem& problem) {
+  Output out;
+  out.axis_point = vector_of(list, "axis point");
+  out.axis_direction = vector_of(list, "axis direction");
+  if (out.axis_direction.norm() == 0.0) list.fail("axis direction", "must not be zero");
+  out.stations = list.integer("stations");
+  out.body_size = list.real("body size");
+  if (list.has_list("Levels"))
+    for (const base::List& entry : list.list("Levels").entries())
+      out.levels.push_back({entry.name(), entry.real("height")});
+  if (list.has_list("Force curves"))
+    for (const base::List& entry : list.list("Force curves").entries()) {
+      ForceCurve curve{entry.name(), -1, entry.real("length")};
+      base::Texts valid;
+      for (size_t s = 0; s < problem.supports.size(); ++s) {
+        valid.push_back(problem.supports[s].name);
+        if (problem.supports[s].name == entry.word("support")) curve.support = static_cast<int>(s);
+      }
+      if (curve.support < 0) entry.fail("support", unknown("support", entry.word("support"), valid));
+      out.force_curves.push_back(curve);
+    }
+  if (list.has_list("Distances"))
+    for (const base::List& entry : list.list("Distances").entries())
+      out.distances.push_back(
+          {entry.name(), edge_node(entry, *problem.mesh, "first"), edge_node(entry, *problem.mesh, "second")});
+  return out;
+}
+
+std::vector<Check> read_checks(const base::List& list) {
+  std::vector<Check> checks;
+  for (const base::List& entry : list.entries())
+    checks.push_back({entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")});
+  return checks;
+}
+
+}  // namespace toile::scene

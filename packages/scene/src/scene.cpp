@@ -1,0 +1,117 @@
+#include "toile/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "read_output.hpp"
+#include "toile/body/body.hpp"
+#include "toile/element/element.hpp"
+#include "toile/mesh/partition.hpp"
+#include "toile/solve/spec.hpp"
+
+namespace toile::scene {
+
+namespace {
+
+std::optional<base::List> optional_list(const base::List& list, const std::string& name) {
+  if (!list.has_list(name)) return std::nullopt;
+  return list.list(name);
+}
+
+}  // namespace
+
+Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(list.word("title")) {
+  {
+    const auto phase = timer.phase("body");
+    if (const auto body = optional_list(list, "Body")) surface_ = body::make_surface(*body, nullptr);
+  }
+  {
+    const auto phase = timer.phase("garment");
+    const auto seams = optional_list(list, "Seams");
+    garment_ = garment::build_garment(list.list("Panels"), seams ? &*seams : nullptr, surface_.get());
+  }
+  build_laws(list);
+  stages_ = solve::read_stages(list.list("Stages"));
+  for (const solve::StageOptions& stage : stages_) {
+    sews_ = sews_ || stage.type == solve::StageType::sew;
+    damps_ = damps_ || stage.damping.active;
+  }
+  if (sews_ && garment_.seams.empty())
+    list.list("Stages").fail("type", "a stage of type \"sew\" needs the list \"Seams\", which the scene does not have");
+  if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
+  {
+    const auto phase = timer.phase("partition");
+    build_problem(list, ranks);
+  }
+  if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks);
+  list_modules(ranks);
+}
+
+void Scene::build_laws(const base::List& list) {
+  base::Texts names;
+  for (const base::List& entry : list.list("Materials").entries()) {
+    names.push_back(entry.name());
+    materials_[entry.name()] = std::make_unique<material::Material>(entry);
+  }
+  for (const base::List& panel : list.list("Panels").entries()) {
+    const std::string& wanted = panel.word("material");
+    if (materials_.count(wanted) == 0) {
+      const std::string near = base::nearest_name(wanted, names);
+      panel.fail("material", "no entry of \"Materials\" is named \"" + wanted + "\"" +
+                                 (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    }
+  }
+  for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
+    const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
+    problem_.laws.push_back(
+        {element::find(quads ? "membrane4" : "membrane3"), materials_.at(garment_.materials[b]).get()});
+  }
+}
+
+void Scene::build_problem(const base::List& list, int ranks) {
+  problem_.mesh = &garment_.mesh;
+  problem_.clusters = garment_.clusters.members;
+  problem_.surface = surface_.get();
+  if (const auto supports = optional_list(list, "Supports"))
+    problem_.supports = solve::read_supports(*supports, garment_.mesh);
+  if (const auto loads = optional_list(list, "Loads")) problem_.loads = solve::read_loads(*loads, garment_.mesh);
+  if (const auto contact = optional_list(list, "Contact")) {
+    if (surface_ == nullptr) list.fail("Contact", "the scene has no list \"Body\" to be in contact with");
+    problem_.contact = solve::read_contact(*contact);
+  }
+  const mesh::Partition partition = mesh::partition(garment_.mesh, garment_.clusters.of_node, ranks);
+  problem_.cluster_rank = partition.cluster_rank;
+  auto next = partition.element_rank.begin();
+  for (const mesh::Block& block : garment_.mesh.blocks) {
+    problem_.element_rank.emplace_back(next, next + block.size());
+    next += block.size();
+  }
+}
+
+void Scene::list_modules(int ranks) {
+  const auto sort = [&](bool is_used, const std::string& name) { (is_used ? used_ : left_out_).push_back(name); };
+  sort(surface_ != nullptr, "body and contact");
+  sort(!garment_.seams.empty(), "seams");
+  sort(sews_, "sewing by continuation");
+  sort(damps_, "damping");
+  sort(!problem_.loads.empty(), "edge loads");
+  const bool graduated =
+      std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.second->graduated(); });
+  sort(graduated, "graduated fabric");
+  sort(ranks > 1, "partition");
+}
+
+solve::State Scene::start() const {
+  solve::State state = solve::placed_state(problem_);
+  if (sews_) return state;
+  state.seam = 1.0;
+  for (size_t c = 0; c < problem_.clusters.size(); ++c) {
+    state.position[c].setZero();
+    for (const int n : problem_.clusters[c])
+      state.position[c] += garment_.mesh.placed[n] / static_cast<double>(problem_.clusters[c].size());
+  }
+  return state;
+}
+
+}  // namespace toile::scene
