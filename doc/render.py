@@ -25,7 +25,7 @@ def arguments():
     parser.add_argument("input", help="Exodus file of a run")
     parser.add_argument("output", help="PNG file")
     parser.add_argument("--field", default="pressure", help="field that colours the surfaces (default: pressure)")
-    parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical, degrees (default: 30)")
+    parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical (default: 30 degrees)")
     parser.add_argument("--step", type=int, default=-1, help="step of the run, counted from 0; -1: the last (default)")
     parser.add_argument("--up", choices="xyz", default="z", help="vertical axis (default: z)")
     parser.add_argument("--label", help="text at the colour bar (default: the field with its unit)")
@@ -78,13 +78,15 @@ def field_names(blocks):
 
 
 def value_range(grids, field):
-    """Smallest and largest value on the given blocks; nodal values of other blocks do not count."""
+    """Limits of the colours from the given blocks alone; from zero unless that would hide the differences."""
     ranges = []
     for grid in grids:
         data = grid.GetPointData() if grid.GetPointData().HasArray(field) else grid.GetCellData()
         ranges.append(data.GetArray(field).GetRange())
     low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
-    return (0.0 if low >= 0.0 else low), (high if high > low else low + 1.0)
+    if 0.0 <= low < 0.5 * high:
+        low = 0.0
+    return low, (high if high > low else low + 1.0)
 
 
 def colour_map(vtk, limits, grey_at_zero=False):
@@ -142,7 +144,7 @@ def actor(vtk, grid, field=None, colours=None, in_front=False):
     return result
 
 
-def colour_bar(vtk, colours, label):
+def colour_bar(vtk, colours, label, font_size):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colours)
     bar.SetTitle(label)
@@ -157,7 +159,7 @@ def colour_bar(vtk, colours, label):
     bar.SetHeight(0.70)
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         text.SetColor(0.1, 0.1, 0.1)
-        text.SetFontSize(24)
+        text.SetFontSize(font_size)
         text.ShadowOff()
         text.ItalicOff()
         text.BoldOff()
@@ -186,8 +188,9 @@ def bounds_of(grids):
     return [(min if k % 2 == 0 else max)(box[k] for box in boxes) for k in range(6)]
 
 
-def build_scene(vtk, blocks, field, label, angle, up):
+def build_scene(vtk, blocks, options, label):
     """The renderer, and how much wider than high its picture should be."""
+    field = options.field
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     garment = {name: grid for name, grid in blocks.items() if name != BODY}
@@ -195,7 +198,7 @@ def build_scene(vtk, blocks, field, label, angle, up):
     colours = colour_map(vtk, limits)
     for grid in garment.values():
         renderer.AddActor(actor(vtk, grid, field if has_field(grid, field) else None, colours, in_front=True))
-    axes = camera_axes(up, angle)
+    axes = camera_axes(options.up, options.angle)
     if BODY in blocks:
         body = blocks[BODY]
         renderer.AddActor(actor(vtk, body))
@@ -205,7 +208,7 @@ def build_scene(vtk, blocks, field, label, angle, up):
             beside.SetPosition(*[shift * component for component in axes[1]])
             renderer.AddActor(beside)
     ratio = look_at(renderer, *axes)
-    renderer.AddViewProp(colour_bar(vtk, colours, label))
+    renderer.AddViewProp(colour_bar(vtk, colours, label, font_size=options.height // 50))
     return renderer, ratio
 
 
@@ -233,13 +236,13 @@ def main():
     try:
         import vtk
     except ImportError:
-        sys.exit(f"render.py: {sys.executable} has no module vtk; install python3-vtk9 and use Debian's /usr/bin/python3")
+        sys.exit(f"render.py: {sys.executable} has no module vtk; install python3-vtk9 and use /usr/bin/python3")
     ensure_display()
     blocks = read(vtk, options.input, options.step)
     if not any(has_field(grid, options.field) for name, grid in blocks.items() if name != BODY):
         sys.exit(f"render.py: no field '{options.field}' on the garment; there are: {', '.join(field_names(blocks))}")
     label = options.label or LABELS.get(options.field, options.field)
-    renderer, ratio = build_scene(vtk, blocks, options.field, label, options.angle, options.up)
+    renderer, ratio = build_scene(vtk, blocks, options, label)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)

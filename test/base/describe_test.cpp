@@ -77,10 +77,18 @@ TEST(Describe, ExplainsTables) {
 }
 
 // A parameter whose default depends on others is shown without one.
-TEST(Describe, ShowsMissingDefaultsAsNone) {
+TEST(Describe, ShowsMissingDefaults) {
   Spec scene("scene", "");
   scene.real("C10", "MPa", "Stiffness.", std::numeric_limits<double>::quiet_NaN());
-  EXPECT_THAT(describe_text(scene), HasSubstr("C10  [double; MPa; default: none]"));
+  EXPECT_THAT(describe_text(scene), HasSubstr("C10  [double; MPa; no default]"));
+  EXPECT_THAT(describe_markdown(scene), HasSubstr("| C10 | double | MPa |  | none | Stiffness. |"));
+}
+
+// A bound that is infinite by default is shown in words.
+TEST(Describe, ShowsInfiniteDefaultsAsUnbounded) {
+  Spec scene("scene", "");
+  scene.real("top", "mm", "Highest z.", std::numeric_limits<double>::infinity());
+  EXPECT_THAT(describe_text(scene), HasSubstr("top  [double; mm; default: unbounded]"));
 }
 
 }  // namespace

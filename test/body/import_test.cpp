@@ -29,6 +29,16 @@ TriangleMesh ball() {
   return ellipsoid(60.0, 60.0)->triangles(15.0);
 }
 
+/// A ball and its copy, moved by `shift`.
+TriangleMesh twins(const Vec3& shift) {
+  const TriangleMesh one = ball();
+  TriangleMesh two = one;
+  const int n = static_cast<int>(one.vertices.size());
+  for (const Vec3& v : one.vertices) two.vertices.push_back(v + shift);
+  for (const auto& t : one.triangles) two.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  return two;
+}
+
 double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -38,7 +48,7 @@ double volume(const TriangleMesh& mesh) {
 }
 
 std::string write_text(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = testing::TempDir() + "toile-import-" + name;
   std::ofstream(path) << text;
   return path;
 }
@@ -103,7 +113,16 @@ TEST(Import, UnreadableFiles) {
   const std::string odd = write_text("body.txt", "hello");
   EXPECT_EQ(message(odd), odd + ": a body file must end in .obj, .stl, .ply or .off, found '.txt'");
   const std::string damaged = write_text("damaged.off", "OFF\n3 1 0\n0 0 0\n1 0");
-  EXPECT_EQ(message(damaged), damaged + ": cannot be read as off (no facets, or the text is damaged)");
+  const std::string why = " (no facets, corners that are not there, or damaged text)";
+  EXPECT_EQ(message(damaged), damaged + ": cannot be read as off" + why);
+  const std::string missing_corner = write_text("corner.obj", block_obj + "f 1 2 99\n");
+  EXPECT_EQ(message(missing_corner), missing_corner + ": cannot be read as obj" + why);
+  std::string ply = block_ply();
+  ply.replace(ply.rfind("4 3 0 4 7"), 9, "4 3 0 4 77");
+  const std::string damaged_ply = write_text("corner.ply", ply);
+  EXPECT_EQ(message(damaged_ply), damaged_ply + ": cannot be read as ply" + why);
+  const std::string empty = write_text("empty.stl", "");
+  EXPECT_EQ(message(empty), empty + ": cannot be read as stl" + why);
 }
 
 // More than two facets at an edge: the message counts the edges and says where the first is.
@@ -145,9 +164,9 @@ TEST(Import, InsideOutTube) {
   TriangleMesh mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 60.0), 10.0, 1);
   ImportOptions options;
   options.closed = false;
-  EXPECT_EQ(message(test::write_obj("tube", mesh), options), "");
+  EXPECT_EQ(message(test::write_obj("open-tube", mesh), options), "");
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
-  EXPECT_THAT(message(test::write_obj("tube", mesh), options), HasSubstr("the body is reversed (inside-out)"));
+  EXPECT_THAT(message(test::write_obj("open-tube", mesh), options), HasSubstr("the body is reversed (inside-out)"));
 }
 
 // One facet turned against its neighbours is refused with its place, and turned when the user asks for it.
@@ -174,7 +193,7 @@ TEST(Import, WrongUnit) {
   EXPECT_NEAR(volume(import_body(metres, options).mesh) / volume(mesh), 1.0, 1e-12);
   EXPECT_EQ(message(test::write_obj("huge", mesh, 1e3)),
             testing::TempDir() +
-                "huge.obj: the body is 1.6e+06 mm high, allowed is 50 to 3000 mm; z must be the height, "
+                "toile-body-huge.obj: the body is 1.6e+06 mm high, allowed is 50 to 3000 mm; z must be the height, "
                 "and parameter scale turns the unit of the file into mm");
 }
 
@@ -182,22 +201,20 @@ TEST(Import, WrongUnit) {
 TEST(Import, DegenerateAndIntersectingFacets) {
   const std::string flat = write_text("flat.obj", block_obj + "v 50 0 0\nf 1 1 2\n");
   EXPECT_EQ(import_body(flat, {}).notes, "1 degenerate or repeated facets removed");
-  TriangleMesh two = ball();
-  const TriangleMesh one = two;
-  const int n = static_cast<int>(one.vertices.size());
-  for (const Vec3& v : one.vertices) two.vertices.push_back(v + Vec3(50.0, 3.0, 1.0));
-  for (const auto& t : one.triangles) two.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  std::string sliver = block_obj + "v 50 0 0\nf 1 2 9\n";
+  sliver.replace(sliver.find("f 1 2 6 5"), 9, "f 1 9 2 6 5");
+  const Import closed = import_body(write_text("sliver.obj", sliver), {});
+  EXPECT_EQ(closed.notes, "1 facets without area removed");
+  EXPECT_NEAR(volume(closed.mesh), 1e6, 1e-3);
+  const TriangleMesh two = twins(Vec3(50.0, 3.0, 1.0));
   EXPECT_THAT(import_body(test::write_obj("two", two), {}).notes,
               testing::ContainsRegex("warning: [0-9]+ pairs of facets intersect"));
 }
 
 // Only triangles in the box stay; with a seed only the piece nearest to it.
 TEST(Clip, KeepsTheWantedPiece) {
-  TriangleMesh two = ball();
-  const TriangleMesh one = two;
-  const int n = static_cast<int>(one.vertices.size());
-  for (const Vec3& v : one.vertices) two.vertices.push_back(v + Vec3(150.0, 0.0, 0.0));
-  for (const auto& t : one.triangles) two.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  const TriangleMesh one = ball();
+  const TriangleMesh two = twins(Vec3(150.0, 0.0, 0.0));
   Region region;
   EXPECT_EQ(clip(two, region).triangles.size(), two.triangles.size());
   region.seed = Vec3(140.0, 10.0, 0.0);

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 /// The surface of a list "Body" with the given parameters, through an XML file in the folder for temporary files.
 SurfacePtr from_xml(const std::string& parameters, const Region* region = nullptr) {
-  const std::string path = testing::TempDir() + "body.xml";
+  const std::string path = testing::TempDir() + "toile-body-scene.xml";
   std::ofstream(path) << "<ParameterList name=\"Body\">" << parameters << "</ParameterList>";
   return make_surface(base::read_xml(path, body_spec()), region);
 }
@@ -66,8 +66,8 @@ TEST(MakeSurface, BuildsEveryType) {
 // A file is found beside the scene, is clipped to what the garment can reach, and its summary tells about the fit.
 TEST(MakeSurface, BuildsFromFile) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
-  test::write_obj("tube-for-scene", mesh);
-  const std::string list = text("type", "file") + text("file", "tube-for-scene.obj") + flag("closed", false);
+  test::write_obj("tube", mesh);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
   const SurfacePtr whole = from_xml(list);
   EXPECT_NEAR(whole->closest({0.0, 55.0, 80.0}).gap, 5.0, 0.01);
   Region region;
@@ -76,7 +76,7 @@ TEST(MakeSurface, BuildsFromFile) {
   const SurfacePtr part = from_xml(list, &region);
   EXPECT_NEAR(part->closest({0.0, 55.0, 80.0}).gap, 5.0, 0.02);
   EXPECT_LT(part->triangles(1.0).triangles.size(), whole->triangles(1.0).triangles.size() / 2);
-  EXPECT_THAT(part->summary(), HasSubstr("tube-for-scene.obj: "));
+  EXPECT_THAT(part->summary(), HasSubstr("toile-body-tube.obj: "));
   EXPECT_THAT(part->summary(), HasSubstr("mm root mean square"));
   const SurfacePtr facets = from_xml(list + text("surface", "facets"));
   EXPECT_THAT(facets->summary(), HasSubstr("bare facets"));
@@ -85,8 +85,8 @@ TEST(MakeSurface, BuildsFromFile) {
 // The list's own Reach goes before the garment's region, and a seed picks one of several pieces.
 TEST(MakeSurface, ReachIsReadFromTheList) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
-  test::write_obj("tube-for-scene", mesh);
-  const std::string list = text("type", "file") + text("file", "tube-for-scene.obj") + flag("closed", false);
+  test::write_obj("tube", mesh);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
   const auto part =
       from_xml(list + "<ParameterList name=\"Reach\">" + reals("lower corner", "{0, -100, 40}") +
                reals("upper corner", "{100, 100, 120}") + reals("seed", "{80, 0, 80}") + "</ParameterList>");

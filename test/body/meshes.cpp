@@ -104,7 +104,7 @@ body::TriangleMesh random_triangulation(const TubeShape& shape, double edge, uns
 }
 
 std::string write_obj(const std::string& name, const body::TriangleMesh& mesh, double scale) {
-  const std::string path = testing::TempDir() + name + ".obj";
+  const std::string path = testing::TempDir() + "toile-body-" + name + ".obj";
   std::ofstream out(path);
   out << std::setprecision(17);
   for (const Vec3& v : mesh.vertices) {

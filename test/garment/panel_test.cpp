@@ -106,7 +106,7 @@ TEST(Panel, ProfileHasItsWidths) {
 TEST(Panel, CrossingOutlineIsRefused) {
   const auto panels = quadrangle({0, 0, 100, 0}, {100, 0, 20, 100}, {80, 100, 20, 100}, {0, 0, 80, 100});
   const std::string message = input_error([&panels] { build(panels); });
-  EXPECT_THAT(message, HasSubstr("panel 'front' overlaps itself near (50, 62.5) mm of its pattern; its outline must "
+  EXPECT_THAT(message, HasSubstr("panel \"front\" overlaps itself near (50, 62.5) mm of its pattern; its outline must "
                                  "not cross or touch itself"));
   EXPECT_THAT(message, HasSubstr("scene.xml"));
 }
@@ -114,23 +114,25 @@ TEST(Panel, CrossingOutlineIsRefused) {
 // Sides that do not meet are refused with both ends.
 TEST(Panel, OpenOutlineIsRefused) {
   const auto panels = quadrangle({0, 0, 100, 0}, {100, 0, 100, 90}, {0, 100, 100, 100}, {0, 0, 0, 100});
-  EXPECT_THAT(input_error([&panels] { build(panels); }),
-              HasSubstr("the outline of panel 'front' is not closed: the end of right at (100, 90) and the end of top "
-                        "at (100, 100) must be the same point"));
+  EXPECT_THAT(
+      input_error([&panels] { build(panels); }),
+      HasSubstr("the outline of panel \"front\" is not closed: the end of right at (100, 90) and the end of top "
+                "at (100, 100) must be the same point"));
 }
 
 // A panel that is given mirrored is refused with the order that is expected.
 TEST(Panel, ClockwiseOutlineIsRefused) {
   const auto panels = quadrangle({100, 0, 0, 0}, {0, 0, 0, 100}, {100, 100, 0, 100}, {100, 0, 100, 100});
-  EXPECT_THAT(input_error([&panels] { build(panels); }),
-              HasSubstr("the outline of panel 'front' runs clockwise: 'bottom' and 'top' must run from left to right"));
+  EXPECT_THAT(
+      input_error([&panels] { build(panels); }),
+      HasSubstr("the outline of panel \"front\" runs clockwise: \"bottom\" and \"top\" must run from left to right"));
 }
 
 // A simple outline whose inside folds over is refused with the place.
 TEST(Panel, FoldedInsideIsRefused) {
   const auto panels = quadrangle({0, 0, 100, 0}, {100, 0, 20, 20}, {0, 100, 20, 20}, {0, 0, 0, 100});
   EXPECT_THAT(input_error([&panels] { build(panels); }),
-              ::testing::AllOf(HasSubstr("panel 'front' overlaps itself near ("), HasSubstr("scene.xml"),
+              ::testing::AllOf(HasSubstr("panel \"front\" overlaps itself near ("), HasSubstr("scene.xml"),
                                HasSubstr("an element is turned over there")));
 }
 
@@ -148,7 +150,7 @@ TEST(Panel, BadProfileIsRefused) {
   EXPECT_THAT(input_error([] {
                 build(leg({0.0, 100.0, 200.0}, {100.0, 120.0}));
               }),
-              HasSubstr("has 2 values, but 'levels' has 3; there must be one width for each level"));
+              HasSubstr("has 2 values, but \"levels\" has 3; there must be one width for each level"));
   EXPECT_THAT(input_error([] {
                 build(leg({0.0, 100.0, 100.0}, {100.0, 120.0, 130.0}));
               }),

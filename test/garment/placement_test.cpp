@@ -80,7 +80,7 @@ TEST(Placement, BadDirectionsAreRefused) {
   Teuchos::ParameterList panels;
   test::add_rectangle(panels, "front", 30.0, 20.0, 3, 2);
   placement_of(panels).set("y direction", reals({1.0, 1.0, 0.0}));
-  EXPECT_THAT(input_error([&panels] { build(panels); }), HasSubstr("must be perpendicular to 'x direction'"));
+  EXPECT_THAT(input_error([&panels] { build(panels); }), HasSubstr("must be perpendicular to \"x direction\""));
   placement_of(panels).set("y direction", reals({0.0, 0.0, 0.0}));
   EXPECT_THAT(input_error([&panels] { build(panels); }), HasSubstr("must not be zero"));
   placement_of(panels).set("y direction", reals({0.0, 1.0}));
@@ -169,11 +169,11 @@ TEST(Placement, BadWrapsAreRefused) {
     return input_error([&] { build(panels, &body); });
   };
   using List = Teuchos::ParameterList;
-  EXPECT_THAT(message([](List& list) { list.set("to", 100.0); }), HasSubstr("must be above 'from'"));
+  EXPECT_THAT(message([](List& list) { list.set("to", 100.0); }), HasSubstr("must be above \"from\""));
   EXPECT_THAT(message([](List& list) {
                 list.set("axis top", reals({0.0, 0.0, 0.0}));
               }),
-              HasSubstr("must differ from 'axis bottom'"));
+              HasSubstr("must differ from \"axis bottom\""));
   EXPECT_THAT(message([](List& list) {
                 list.set("zero direction", reals({0.0, 0.0, 1.0}));
               }),
@@ -190,7 +190,7 @@ TEST(Placement, BadWrapsAreRefused) {
 // A wrapped panel needs a body, a free one its two radii.
 TEST(Placement, MissingBodyIsRefused) {
   const Teuchos::ParameterList on_body = wrapped("wrap", 100.0, 50.0, 4, 5);
-  EXPECT_THAT(input_error([&on_body] { build(on_body); }), HasSubstr("'wrap' needs a body, and the scene has none"));
+  EXPECT_THAT(input_error([&on_body] { build(on_body); }), HasSubstr("\"wrap\" needs a body, and the scene has none"));
   Teuchos::ParameterList free = wrapped("free wrap", 100.0, 50.0, 4, 5);
   placement_of(free).set("around", reals({40.0}));
   EXPECT_THAT(input_error([&free] { build(free); }), HasSubstr("needs two radii"));

@@ -102,8 +102,8 @@ TEST(Seam, DifferentNodeCountsAreRefused) {
   Teuchos::ParameterList seams;
   add_seam(seams, "side", "front.right", "back.left");
   EXPECT_THAT(input_error([&seams] { build(two_panels(30.0, 5), seams); }),
-              ::testing::AllOf(HasSubstr("a seam whose edges cannot match: 'front.right' (4 nodes, 30 mm) and "
-                                         "'back.left' (6 nodes, 30 mm) have different numbers of nodes"),
+              ::testing::AllOf(HasSubstr("a seam whose edges cannot match: \"front.right\" (4 nodes, 30 mm) and "
+                                         "\"back.left\" (6 nodes, 30 mm) have different numbers of nodes"),
                                HasSubstr("scene.xml"), HasSubstr("side")));
 }
 
@@ -113,8 +113,8 @@ TEST(Seam, DifferentLengthsNeedEase) {
   add_seam(seams, "side", "front.right", "back.left");
   EXPECT_THAT(
       input_error([&seams] { build(two_panels(33.0), seams); }),
-      HasSubstr("a seam whose edges cannot match: the lengths of 'front.right' (4 nodes, 30 mm) and 'back.left' "
-                "(4 nodes, 33 mm) differ by more than 5 % (parameter 'ease')"));
+      HasSubstr("a seam whose edges cannot match: the lengths of \"front.right\" (4 nodes, 30 mm) and \"back.left\" "
+                "(4 nodes, 33 mm) differ by more than 5 % (parameter \"ease\")"));
   seams.sublist("side").set("ease", 0.1);
   EXPECT_EQ(build(two_panels(33.0), seams).seams[0].pairs.size(), 4u);
 }
@@ -133,8 +133,8 @@ TEST(Seam, UnknownEdgeIsRefused) {
   Teuchos::ParameterList seams;
   add_seam(seams, "side", "front.rigth", "back.left");
   EXPECT_THAT(input_error([&seams] { build(two_panels(), seams); }),
-              HasSubstr("there is no edge 'front.rigth', did you mean 'front.right'? Edges: back.bottom back.left "
-                        "back.right back.top front.bottom front.left front.right front.top"));
+              HasSubstr("there is no edge \"front.rigth\"; did you mean \"front.right\"? Valid here: back.bottom, "
+                        "back.left, back.right, back.top, front.bottom, front.left, front.right, front.top"));
 }
 
 // An edge cannot be sewn to itself.
@@ -142,7 +142,7 @@ TEST(Seam, EdgeWithItselfIsRefused) {
   Teuchos::ParameterList seams;
   add_seam(seams, "side", "front.right", "front.right");
   EXPECT_THAT(input_error([&seams] { build(two_panels(), seams); }),
-              HasSubstr("the edge 'front.right' cannot be sewn to itself"));
+              HasSubstr("the edge \"front.right\" cannot be sewn to itself"));
 }
 
 }  // namespace

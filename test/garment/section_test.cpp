@@ -64,13 +64,13 @@ TEST(Section, WorksWithLimitedReach) {
 // An axis outside of the body is refused with the height.
 TEST(Section, AxisOutsideIsRefused) {
   EXPECT_EQ(input_error([] { trace_section(test::Sphere(100.0, 200.0), z_axis, 120.0, 0.0); }),
-            "the axis is not inside the body at the height 120 mm above 'axis bottom'");
+            "the axis is not inside the body at the height 120 mm above \"axis bottom\"");
 }
 
 // A body without a surface in the direction of a ray is refused with the height.
 TEST(Section, MissingSurfaceIsRefused) {
   EXPECT_EQ(input_error([] { trace_section(test::Endless(), z_axis, 5.0, 0.0); }),
-            "a ray from the axis finds no surface of the body at the height 5 mm above 'axis bottom'");
+            "a ray from the axis finds no surface of the body at the height 5 mm above \"axis bottom\"");
 }
 
 }  // namespace

@@ -147,6 +147,20 @@ TEST(PressureLines, WritesCsv) {
   EXPECT_FALSE(std::getline(text, line));
 }
 
+// The plot shows the curve in kPa, Laplace's estimate beside it and a named marker at each level on the garment.
+TEST(PressureLines, PlotMarksTheLevels) {
+  const Cone cone;
+  const Plot plot = pressure_plot("cone", pressure_curve(cone.fields, Axis(), 11),
+                                  levels(cone.fields, Axis(), {{"B", 250.0}, {"G", 500.0}}));
+  ASSERT_EQ(plot.series.size(), 3U);
+  EXPECT_EQ(plot.series[0].x.size(), 11U);
+  EXPECT_NEAR(plot.series[0].y[0], 1e3 * cone_pressure(100.0), 1e-5);
+  EXPECT_NEAR(plot.series[1].y[5], 1e3 * 0.06 / (polygon(cone_radius(250.0)) / (2.0 * M_PI)), 1e-9);
+  EXPECT_THAT(plot.series[2].labels, ::testing::ElementsAre("B"));
+  EXPECT_NEAR(plot.series[2].y[0], 1.0, 1e-12);
+  EXPECT_NEAR(plot.second_axis->factor, 7.50062, 1e-9);
+}
+
 // A table that cannot be written is reported with path and reason.
 TEST(PressureLines, ReportsAnUnwritableTable) {
   const TemporaryFolder folder;

@@ -1,31 +1,167 @@
+// Stages of a sleeve on a rigid cylinder, on one and on several ranks.
+#include "sleeve.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Tpetra_Core.hpp>
 #include <cmath>
-#include <cstdio>
-#include "sleeve.hpp"
+
+#include "toile/base/error.hpp"
+#include "toile/solve/fields.hpp"
 #include "toile/solve/simulation.hpp"
 
 namespace toile::test {
-TEST(Sleeve, Try) {
+namespace {
+
+std::shared_ptr<material::Material> neo_hookean() {
+  return std::make_shared<material::Material>(*material::find("neo-hookean"), std::vector<double>{8.4667e-3}, 1.0);
+}
+
+Sleeve::Options options(int around = 24, int along = 8) {
   Sleeve::Options o;
+  o.around = around;
+  o.along = along;
   o.ranks = Tpetra::getDefaultComm()->getSize();
-  auto fabric = std::make_shared<material::Material>(*material::find("neo-hookean"), std::vector<double>{8.4667e-3}, 1.0);
-  Sleeve sleeve(o, fabric);
-  sleeve.problem.contact.offset_by_half_thickness = false;
-  solve::Simulation simulation(sleeve.problem, {});
-  simulation.observe([&](const solve::StepReport& r, const solve::State&) {
-    std::printf("step %d s=%g it=%d res=%g gap=%g E=%.12g neg=%d bal=%g / %g\n", r.step, r.parameter, r.iterations, r.residual, r.gap, r.strain_energy, r.negative_pivots, r.balance.sum().norm(), r.balance.magnitude);
-  });
-  solve::State start = simulation.state();
+  return o;
+}
+
+solve::State closed_start(const solve::Problem& problem) {
+  solve::State start = placed_state(problem);
   start.seam = 1.0;
-  simulation.set_start(start);
-  solve::StageOptions stage;
-  stage.name = "settle";
-  try { simulation.run(stage); } catch (const std::exception& e) { std::puts(e.what()); FAIL(); }
-  for (auto& n : simulation.notes()) std::puts(n.c_str());
-  double f = 0;
-  for (double x : simulation.state().contact_force) f += x;
-  std::printf("pressure mean %.10g  (exact 1.8517249566e-4)\n", f / (2 * M_PI * 60 * 110));
+  return start;
 }
+
+solve::StageOptions stage(solve::StageType type) {
+  solve::StageOptions s;
+  s.name = "stage";
+  s.type = type;
+  return s;
 }
+
+double mid_pressure(const Sleeve& sleeve, const solve::State& state, int around, int along) {
+  const solve::Fields fields = compute_fields(sleeve.problem, state);
+  return fields.pressure[static_cast<size_t>((along / 2) * (around + 1) + around / 4)];
+}
+
+// The pressure of a sleeve held at an axial stretch of 1.1 converges with second order to T/R
+// (reference/contact/contact_cyl_ax1.1_nh.csv of the project's reference set).
+TEST(Sleeve, PressureConvergesToLaplaceWithSecondOrder) {
+  const double exact = 1.8517249566370777e-4;
+  std::vector<double> errors;
+  for (const int n : {1, 2, 4}) {
+    Sleeve sleeve(options(12 * n, 6 * n), neo_hookean());
+    sleeve.problem.contact.offset_by_half_thickness = false;
+    solve::Simulation simulation(sleeve.problem, {});
+    simulation.set_start(closed_start(sleeve.problem));
+    simulation.run(stage(solve::StageType::settle));
+    errors.push_back(std::abs(mid_pressure(sleeve, simulation.state(), 12 * n, 6 * n) / exact - 1.0));
+  }
+  EXPECT_LT(errors.back(), 4e-3);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 1.9);
+  EXPECT_GT(std::log2(errors[1] / errors[2]), 1.9);
+}
+
+// The contact stiffness steers the iteration and does not enter the result.
+TEST(Sleeve, PressureDoesNotDependOnTheContactStiffness) {
+  std::vector<double> pressure;
+  for (const double stiffness : {0.1, 1.0, 10.0}) {
+    Sleeve sleeve(options(), neo_hookean());
+    sleeve.problem.contact.relative_stiffness = stiffness;
+    solve::Simulation simulation(sleeve.problem, {});
+    simulation.set_start(closed_start(sleeve.problem));
+    simulation.run(stage(solve::StageType::settle));
+    pressure.push_back(mid_pressure(sleeve, simulation.state(), 24, 8));
+  }
+  EXPECT_NEAR(pressure[0] / pressure[1], 1.0, 1e-8);
+  EXPECT_NEAR(pressure[2] / pressure[1], 1.0, 1e-8);
+}
+
+// Sewing an open seam by continuation ends in the state that a closed start settles to: hyperelastic fabric without
+// friction has no memory.
+TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
+  Sleeve closed(options(), neo_hookean());
+  solve::Simulation direct(closed.problem, {});
+  direct.set_start(closed_start(closed.problem));
+  direct.run(stage(solve::StageType::settle));
+
+  Sleeve open(options(), neo_hookean());
+  const double pi = std::acos(-1.0);
+  for (int j = 0; j <= 8; ++j)
+    for (int i = 0; i <= 24; ++i) {  // cover 85 % of the girth
+      solve::Vec3& p = open.mesh.placed[static_cast<size_t>(j * 25 + i)];
+      const double angle = 2.0 * pi * 0.85 * i / 24.0;
+      p = solve::Vec3(60.0 * std::cos(angle), 60.0 * std::sin(angle), p[2]);
+    }
+  solve::Simulation sewn(open.problem, {});
+  int steps = 0;
+  bool undamped_at_end = false;
+  double largest_gap = 0.0;
+  sewn.observe([&](const solve::StepReport& r, const solve::State&) {
+    ++steps;
+    undamped_at_end = r.undamped && r.balance.damping.norm() == 0.0;
+    largest_gap = r.gap;
+  });
+  solve::StageOptions sew = stage(solve::StageType::sew);
+  sew.damping.active = true;
+  sewn.run(sew);
+  EXPECT_GT(steps, 2);
+  EXPECT_TRUE(undamped_at_end);
+  EXPECT_LT(largest_gap, 1e-6);
+  EXPECT_DOUBLE_EQ(sewn.state().seam, 1.0);
+  const double expected = mid_pressure(closed, direct.state(), 24, 8);
+  EXPECT_NEAR(mid_pressure(open, sewn.state(), 24, 8) / expected, 1.0, 1e-6);
+}
+
+// Forces of body, supports, loads, damping and pins add up to zero, also with the contact force taken from the written
+// pressure.
+TEST(Sleeve, ForcesOfTheWrittenFieldsBalance) {
+  Sleeve sleeve(options(), neo_hookean());
+  solve::Simulation simulation(sleeve.problem, {});
+  solve::StepReport last;
+  simulation.observe([&](const solve::StepReport& r, const solve::State&) { last = r; });
+  simulation.set_start(closed_start(sleeve.problem));
+  simulation.run(stage(solve::StageType::settle));
+  solve::ForceBalance balance = last.balance;
+  EXPECT_GT(balance.magnitude, 1.0);
+  EXPECT_LT(balance.sum().norm(), 1e-6 * balance.magnitude);
+  balance.contact = pressure_resultant(compute_fields(sleeve.problem, simulation.state()));
+  EXPECT_LT(balance.sum().norm(), 1e-6 * balance.magnitude);
+  // Reactions of the two held ends are opposite: the axial force of contact_cyl_ax1.1_nh.csv, 3.076 N.
+  EXPECT_NEAR(balance.support[1][2], 3.076, 0.02);
+}
+
+// A stage that cannot reach its end throws SolveError, says how far it came, and keeps the last converged state.
+TEST(Sleeve, AStageThatCannotEndKeepsTheLastConvergedState) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 30.0);
+  solve::Simulation simulation(sleeve.problem, {});
+  double reached = 0.0;
+  simulation.observe([&](const solve::StepReport& r, const solve::State&) { reached = r.load; });
+  simulation.set_start(closed_start(sleeve.problem));
+  solve::StageOptions pull = stage(solve::StageType::load);
+  pull.max_steps = 3;
+  pull.first_step = pull.largest_step = 0.1;
+  try {
+    simulation.run(pull);
+    FAIL() << "three steps of a tenth cannot reach the end";
+  } catch (const base::SolveError& error) {
+    EXPECT_NE(std::string(error.what()).find("could not reach its end"), std::string::npos) << error.what();
+    EXPECT_EQ(error.code(), base::ExitCode::solve_failed);
+  }
+  EXPECT_GT(reached, 0.0);
+  EXPECT_DOUBLE_EQ(simulation.state().load, reached);
+}
+
+// A frictionless sleeve on a body of revolution can spin: the motion is found, named and held.
+TEST(Sleeve, NullMotionIsNamed) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  solve::Simulation simulation(sleeve.problem, {});
+  simulation.set_start(closed_start(sleeve.problem));
+  simulation.run(stage(solve::StageType::settle));
+  ASSERT_EQ(simulation.notes().size(), 1u);
+  EXPECT_NE(simulation.notes()[0].find("rotation about the axis (0, 0, 1)"), std::string::npos)
+      << simulation.notes()[0];
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -6,9 +6,9 @@ namespace toile::app {
 
 /// What the command line says of a run.
 struct RunArguments {
-  std::string scene;          ///< XML file
-  std::string output = "";    ///< folder of the results; empty: results/<name of the scene>
-  int threads = 1;            ///< for the element loops of each rank
+  std::string scene;        ///< XML file
+  std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
+  int threads = 1;          ///< for the element loops of each rank
   bool quiet = false;
 };
 

@@ -7,6 +7,17 @@
 
 namespace toile::app {
 
+namespace {
+
+const std::string markdown_title =
+    "# Input reference\n\n"
+    "A scene is a Teuchos XML parameter list: `<ParameterList name=\"scene\">` with the lists below, and parameters "
+    "`<Parameter name=\"...\" type=\"...\" value=\"...\"/>`. Names in angle brackets are yours to choose. "
+    "An empty unit means a number without one, an empty \"allowed\" any value. "
+    "This page is what `toile describe --markdown` prints.\n\n";
+
+}  // namespace
+
 int check(const std::string& file) {
   base::Timer timer;
   const base::List list = base::read_xml(file, scene::scene_spec());
@@ -37,7 +48,7 @@ int describe(bool markdown, const std::string& name) {
     spec = base::Spec(*found);
   }
   if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+    std::cout << (markdown ? markdown_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

@@ -1,15 +1,18 @@
 // The command line of Toile: toile run | check | describe.
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
+#include "toile/base/parameters.hpp"
 
 namespace {
 
 using toile::base::ExitCode;
+using toile::base::Texts;
 
 constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
@@ -20,20 +23,72 @@ int report(const std::string& message, ExitCode code) {
   return static_cast<int>(code);
 }
 
+[[noreturn]] void fail_unknown(const std::string& kind, const std::string& found, const Texts& valid) {
+  const std::string near = toile::base::nearest_name(found, valid);
+  std::string text = "unknown " + kind + " \"" + found + "\"";
+  text += near.empty() ? "." : "; did you mean \"" + near + "\"?";
+  text += " Valid here:";
+  for (const std::string& name : valid) text += " " + name;
+  throw toile::base::InputError(text);
+}
+
+Texts subcommands_of(const CLI::App& app) {
+  Texts names;
+  for (const CLI::App* sub : app.get_subcommands(nullptr)) names.push_back(sub->get_name());
+  return names;
+}
+
+Texts options_of(const CLI::App& app) {
+  Texts names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// What is wrong with the command line: a misspelt option, one argument too many, or what the parser says.
+[[noreturn]] void explain(const CLI::App& app, const CLI::ParseError& error) {
+  const bool on_top = app.get_subcommands().empty();
+  const CLI::App& used = on_top ? app : *app.get_subcommands().front();
+  const std::string command = on_top ? "toile" : "toile " + used.get_name();
+  const Texts extras = app.remaining(true);
+  for (const std::string& extra : extras)
+    if (extra.front() == '-')
+      fail_unknown("option of \"" + command + "\"", extra.substr(0, extra.find('=')), options_of(used));
+  const std::string problem =
+      extras.empty() ? error.what() : "\"" + command + "\" does not take the argument \"" + extras.front() + "\"";
+  throw toile::base::InputError(problem + ". See " + command + " --help");
+}
+
+int parse(CLI::App& app, int argc, char** argv) {
+  const Texts subcommands = subcommands_of(app);
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (!first.empty() && first.front() != '-' &&
+      std::find(subcommands.begin(), subcommands.end(), first) == subcommands.end())
+    fail_unknown("subcommand", first, subcommands);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return Tpetra::getDefaultComm()->getRank() == 0 ? app.exit(help) : help.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    explain(app, error);
+  }
+  return -1;
+}
+
 int dispatch(int argc, char** argv) {
-  CLI::App app{"Toile computes what a garment does to the body that wears it."};
-  app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
+  CLI::App app{"Toile computes what a garment does to the body that wears it.", "toile"};
+  app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION, "Print the version and exit");
   app.require_subcommand(1);
   app.footer(footer);
 
   toile::app::RunArguments arguments;
   CLI::App* run = app.add_subcommand("run", "Run a scene and write its results");
   run->add_option("scene", arguments.scene, "XML file of the scene")->required();
-  run->add_option("--output", arguments.output, "Folder of the results (default: results/<name of the scene>)");
+  run->add_option("--output", arguments.output, "Folder of the results (default: results/<name of the scene>)")
+      ->type_name("DIR");
   run->add_option("--threads", arguments.threads, "Threads of each rank in the element loops (default: 1)")
       ->check(CLI::Range(1, 1024));
   run->add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
-  run->footer(footer);
 
   std::string scene;
   CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it");
@@ -44,14 +99,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
   describe->add_option("list", list, "Only this list, for instance Panels");
   describe->add_flag("--markdown", markdown, "As Markdown");
+  for (CLI::App* sub : {run, check, describe}) sub->footer(footer);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const bool first = Tpetra::getDefaultComm()->getRank() == 0;
-    const int status = first ? app.exit(error) : error.get_exit_code();
-    return status == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
-  }
+  if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
   if (check->parsed()) return toile::app::check(scene);
   return toile::app::describe(markdown, list);
@@ -60,7 +110,10 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tpetra::ScopeGuard scope(&argc, &argv);
+  // Kokkos would read --threads and --help as its own.
+  int own_argc = 1;
+  char** own_argv = argv;
+  Tpetra::ScopeGuard scope(&own_argc, &own_argv);
   try {
     return dispatch(argc, argv);
   } catch (const toile::base::Error& error) {

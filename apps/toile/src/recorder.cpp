@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "toile/base/error.hpp"
 #include "toile/base/units.hpp"
@@ -17,13 +18,21 @@ namespace toile::app {
 namespace {
 
 /// Units of solve::element_field_names(), in their order.
-const std::vector<std::string> element_units = {"",    "",    "",    "",     "MPa",  "MPa",   "MPa",
-                                                "MPa", "MPa", "N/mm", "N/mm", "MPa", "mm", ""};
+const std::vector<std::string> element_units = {"",    "",    "",     "",     "MPa", "MPa", "MPa",
+                                                "MPa", "MPa", "N/mm", "N/mm", "MPa", "mm",  ""};
 
-const std::vector<result::FieldName> global_names = {
-    {"load", ""},           {"seam_closing", ""},    {"strain_energy", "N mm"}, {"dissipated_energy", "N mm"},
-    {"dissipation_ratio", ""}, {"iterations", ""},   {"cut_backs", ""},         {"residual", ""},
-    {"largest_gap", "mm"},  {"negative_pivots", ""}, {"undamped", ""},          {"wall_time", "s"}};
+const std::vector<result::FieldName> global_names = {{"load", ""},
+                                                     {"seam_closing", ""},
+                                                     {"strain_energy", "N mm"},
+                                                     {"dissipated_energy", "N mm"},
+                                                     {"dissipation_ratio", ""},
+                                                     {"iterations", ""},
+                                                     {"cut_backs", ""},
+                                                     {"residual", ""},
+                                                     {"largest_gap", "mm"},
+                                                     {"negative_pivots", ""},
+                                                     {"undamped", ""},
+                                                     {"wall_time", "s"}};
 
 std::vector<double> global_values(const solve::StepReport& r) {
   return {r.load,
@@ -69,15 +78,27 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) throw base::InputError("cannot make the folder of the results \"" + folder + "\": " + problem.message());
-  if (scene.surface() != nullptr) body_ = scene.surface()->triangles(scene.output().body_size);
-  exodus_ = std::make_unique<result::ExodusWriter>(folder + "/results.exo", scene.garment().mesh,
-                                                   scene.surface() != nullptr ? &body_ : nullptr,
-                                                   field_names(scene.surface() != nullptr));
-  history_ = std::make_unique<result::History>(folder + "/history.h5", global_names);
+  const std::string probe = folder + "/.writable";
+  if (!std::ofstream(probe)) throw base::InputError("cannot write in the folder of the results \"" + folder + "\"");
+  std::filesystem::remove(probe);
   distances_.resize(scene.output().distances.size());
 }
 
+void Recorder::open_files() {
+  for (const char* file : {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv"})
+    std::filesystem::remove(folder_ + "/" + file);
+  for (const std::string plot : {"pressure", "force-curves"})
+    for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})
+      std::filesystem::remove(folder_ + "/" + plot + ending);
+  const bool with_body = scene_.surface() != nullptr;
+  if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
+  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
+                                                   with_body ? &body_ : nullptr, field_names(with_body));
+  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names);
+}
+
 void Recorder::step(const solve::StepReport& report, const solve::State& state) {
+  if (reports_.empty()) open_files();
   fields_ = solve::compute_fields(scene_.problem(), state);
   reports_.push_back(report);
   for (size_t i = 0; i < distances_.size(); ++i) {
@@ -92,8 +113,7 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
 void Recorder::write_exodus(const solve::StepReport& report) {
   result::StepData data;
   const size_t nodes = fields_.position.size();
-  for (size_t n = 0; n < nodes; ++n)
-    data.displacement.push_back(fields_.position[n] - scene_.garment().mesh.placed[n]);
+  for (size_t n = 0; n < nodes; ++n) data.displacement.push_back(fields_.position[n] - scene_.garment().mesh.placed[n]);
   data.nodal["area"] = fields_.area;
   if (scene_.surface() != nullptr) {
     std::vector<double> kpa(nodes);
@@ -138,45 +158,18 @@ void Recorder::write_pressure(base::Log& log) const {
   const result::GarmentFields garment{&scene_.garment().mesh, fields_.position, fields_.pressure,
                                       element_field(fields_, "tension_course"), element_field(fields_, "cauchy_minor")};
   const result::Axis axis{output.axis_point, output.axis_direction};
-  result::Plot plot;
-  plot.title = scene_.title();
-  plot.x_label = "height along the axis (mm)";
-  plot.y_label = "contact pressure (kPa)";
-  plot.second_axis = result::SecondAxis{"mmHg", base::mmhg_per_kpa};
-  plot.y_from_zero = true;
-  if (output.stations > 1) {
-    const std::vector<result::LevelRow> rows = result::pressure_curve(garment, axis, output.stations);
-    result::write_pressure_csv(folder_ + "/pressure-curve.csv", rows);
-    const auto add = [&](const std::string& name, double result::LevelRow::*value) {
-      result::Series series;
-      series.title = name;
-      for (const result::LevelRow& row : rows) {
-        series.x.push_back(row.height);
-        series.y.push_back(base::mpa_to_kpa(row.*value));
-      }
-      plot.series.push_back(series);
-    };
-    add("mean around the section", &result::LevelRow::pressure_mean);
-    add("smallest", &result::LevelRow::pressure_min);
-    add("largest", &result::LevelRow::pressure_max);
-    add("Laplace T/r", &result::LevelRow::laplace);
+  std::vector<result::LevelRow> curve, rows;
+  if (output.stations > 0) {
+    curve = result::pressure_curve(garment, axis, output.stations);
+    result::write_pressure_csv(folder_ + "/pressure-curve.csv", curve);
   }
   if (!output.levels.empty()) {
     std::vector<result::Level> levels;
     for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});
-    const std::vector<result::LevelRow> rows = result::levels(garment, axis, levels);
+    rows = result::levels(garment, axis, levels);
     result::write_pressure_csv(folder_ + "/pressure-levels.csv", rows);
-    result::Series series;
-    series.title = "levels";
-    series.line = false;
-    series.markers = true;
-    for (const result::LevelRow& row : rows) {
-      series.x.push_back(row.height);
-      series.y.push_back(base::mpa_to_kpa(row.pressure_mean));
-      series.labels.push_back(row.name);
-    }
-    plot.series.push_back(series);
   }
+  const result::Plot plot = result::pressure_plot(scene_.title(), curve, rows);
   if (const auto warning = result::write_plot(folder_, "pressure", plot)) log.warn(*warning);
 }
 

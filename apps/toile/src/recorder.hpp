@@ -14,9 +14,11 @@
 namespace toile::app {
 
 /// Writes what a run produces into its folder (rank 0 only): results.exo, history.h5, restart.h5 at every accepted
-/// step; pressure and force curves at the end.
+/// step; pressure and force curves at the end. The results of an earlier run are replaced when the first step is
+/// accepted, not before.
 class Recorder {
  public:
+  /// Makes the folder. Throws base::InputError if it cannot be written.
   Recorder(const scene::Scene& scene, const std::string& folder);
 
   void step(const solve::StepReport& report, const solve::State& state);
@@ -27,6 +29,7 @@ class Recorder {
   const std::vector<solve::StepReport>& reports() const { return reports_; }
 
  private:
+  void open_files();
   void write_exodus(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;

@@ -38,6 +38,27 @@ void on_first_rank(const F& work) {
   if (code != 0) throw base::Error(static_cast<base::ExitCode>(code), message);
 }
 
+/// What is on disk after a stage failed.
+std::string kept_text(const Recorder& recorder, const std::string& folder) {
+  if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
+  return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
+         folder + "/results.exo, and in " + folder + "/restart.h5.";
+}
+
+base::ProgressPoint progress_of(const solve::StepReport& r, int stage_number, int stages, double seconds) {
+  base::ProgressPoint point;
+  point.stage = r.stage;
+  point.stage_number = stage_number;
+  point.stages = stages;
+  point.step = r.step;
+  point.parameter = r.parameter;
+  point.load = r.load;
+  point.iterations = r.iterations;
+  point.seconds = seconds;
+  point.final_state = r.undamped;
+  return point;
+}
+
 std::string folder_of(const RunArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
   return "results/" + std::filesystem::path(arguments.scene).stem().string();
@@ -64,23 +85,19 @@ int run(const RunArguments& arguments) {
   simulation.set_start(scene.start());
   int stage_number = 0;
   simulation.observe([&](const solve::StepReport& r, const solve::State& state) {
-    base::ProgressPoint point;
-    point.stage = r.stage;
-    point.stage_number = stage_number;
-    point.stages = static_cast<int>(scene.stages().size());
-    point.step = r.step;
-    point.parameter = r.parameter;
-    point.load = r.load;
-    point.iterations = r.iterations;
-    point.seconds = timer.elapsed();
-    log.info(base::progress_line(point));
+    const int stages = static_cast<int>(scene.stages().size());
+    log.info(base::progress_line(progress_of(r, stage_number, stages, timer.elapsed())));
     const auto phase = timer.phase("output");
     on_first_rank([&] { recorder->step(r, state); });
   });
   for (const solve::StageOptions& stage : scene.stages()) {
     ++stage_number;
     const auto phase = timer.phase("solve");
-    simulation.run(stage);
+    try {
+      simulation.run(stage);
+    } catch (const base::SolveError& error) {
+      throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
+    }
   }
 
   std::vector<std::string> failed;

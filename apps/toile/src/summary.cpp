@@ -24,6 +24,11 @@ std::string vector_text(const solve::Vec3& v) {
   return out.str();
 }
 
+std::string unit_of(const std::string& quantity) {
+  if (quantity == "largest pressure" || quantity == "smallest principal stress") return " kPa";
+  return quantity == "largest gap" ? " mm" : "";
+}
+
 }  // namespace
 
 Figures figures_of(const solve::Fields& fields, const solve::StepReport& report) {
@@ -55,17 +60,18 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
   if (scene.surface() != nullptr) {
     out << "  body: " << scene.surface()->summary() << "\n  pressure: " << f.smallest_pressure << " to "
         << f.largest_pressure << " kPa (" << base::kpa_to_mmhg(f.smallest_pressure) << " to "
-        << base::kpa_to_mmhg(f.largest_pressure) << " mmHg) where the garment touches\n  largest gap of a node in contact: "
-        << f.largest_gap << " mm\n";
+        << base::kpa_to_mmhg(f.largest_pressure)
+        << " mmHg) where the garment touches\n  largest gap of a node in contact: " << f.largest_gap << " mm\n";
   }
   out << "  smallest principal stress: " << f.smallest_stress << " kPa"
       << (f.smallest_stress < 0.0 ? " (compression: real fabric wrinkles there)" : "") << "\n";
-  out << "  forces on the garment: body " << vector_text(solve::pressure_resultant(fields));
+  out << "  forces on the garment:";
+  if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::pressure_resultant(fields));
   for (size_t s = 0; s < report.balance.support.size(); ++s)
     out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s]);
   out << "\n    loads " << vector_text(report.balance.load) << "\n    damping " << vector_text(report.balance.damping)
-      << "\n    held against null motions " << vector_text(report.balance.pins) << "\n    sum over magnitudes: "
-      << f.force_balance << "\n";
+      << "\n    held against null motions " << vector_text(report.balance.pins)
+      << "\n    sum over magnitudes: " << f.force_balance << "\n";
   out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
   out << "  equilibrium: relative residual " << report.residual << ", "
@@ -73,8 +79,9 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
                                       : std::to_string(report.negative_pivots) + " negative pivots: unstable")
       << "\n";
   if (report.extrapolated > 0)
-    out << "  outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "
-        << fields.largest_extrapolation << " in " << fields.extrapolated_where << "\n";
+    out << "  outside the calibrated range of the fabric: " << report.extrapolated
+        << " elements, largest fibre stretch " << fields.largest_extrapolation << " in " << fields.extrapolated_where
+        << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";
@@ -84,19 +91,17 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
 }
 
 std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures& f) {
-  const std::map<std::string, double> values = {{"largest pressure", f.largest_pressure},
-                                                {"smallest principal stress", f.smallest_stress},
-                                                {"force balance", f.force_balance},
-                                                {"largest gap", f.largest_gap},
-                                                {"dissipation ratio", f.dissipation_ratio},
-                                                {"extrapolated elements", f.extrapolated}};
+  const std::map<std::string, double> values = {
+      {"largest pressure", f.largest_pressure},   {"smallest principal stress", f.smallest_stress},
+      {"force balance", f.force_balance},         {"largest gap", f.largest_gap},
+      {"dissipation ratio", f.dissipation_ratio}, {"extrapolated elements", f.extrapolated}};
   std::vector<std::string> failed;
   for (const scene::Check& check : scene.checks()) {
     const double value = values.at(check.quantity);
     if (value >= check.lower && value <= check.upper) continue;
     std::ostringstream message;
     message << "check \"" << check.name << "\" does not hold: " << check.quantity << " is " << value
-            << ", allowed is " << check.lower << " to " << check.upper;
+            << unit_of(check.quantity) << ", allowed: " << base::Range{check.lower, check.upper}.text();
     failed.push_back(message.str());
   }
   return failed;

@@ -51,7 +51,8 @@ std::string allowed_column(const Parameter& parameter) {
 std::string default_column(const Parameter& parameter) {
   if (std::holds_alternative<std::monostate>(parameter.fallback)) return "required";
   const auto* number = std::get_if<double>(&parameter.fallback);
-  return number != nullptr && std::isnan(*number) ? "none" : value_text(parameter.fallback);
+  if (number != nullptr && !std::isfinite(*number)) return std::isnan(*number) ? "none" : "unbounded";
+  return value_text(parameter.fallback);
 }
 
 Texts columns(const Parameter& parameter) {
@@ -92,7 +93,7 @@ void print_lines(std::ostream& out, const Parameter& parameter) {
   if (!parameter.unit.empty()) facts.push_back(parameter.unit);
   if (const std::string allowed = allowed_column(parameter); !allowed.empty()) facts.push_back("allowed: " + allowed);
   const std::string fallback = default_column(parameter);
-  facts.push_back(fallback == "required" ? fallback : "default: " + fallback);
+  facts.push_back(fallback == "required" ? fallback : fallback == "none" ? "no default" : "default: " + fallback);
   out << "  " << parameter.name << "  [" << join(facts, "; ") << "]\n      " << parameter.text << '\n';
 }
 

@@ -89,6 +89,11 @@ const std::string& List::file() const {
   return data_->file;
 }
 
+const std::string& List::file(const std::string& parameter) const {
+  const auto found = data_->given.find(parameter);
+  return found == data_->given.end() ? data_->file : found->second;
+}
+
 void List::fail(const std::string& parameter, const std::string& problem) const {
   std::string found;
   const auto value = data_->values.find(parameter);
@@ -97,7 +102,7 @@ void List::fail(const std::string& parameter, const std::string& problem) const 
   } else if (value != data_->values.end()) {
     found = " = " + value_text(value->second) + (given(parameter) ? "" : " (default)");
   }
-  throw InputError(data_->file + ": " + data_->path + ": parameter \"" + parameter + "\"" + found + ": " + problem);
+  throw InputError(file(parameter) + ": " + data_->path + ": parameter \"" + parameter + "\"" + found + ": " + problem);
 }
 
 }  // namespace toile::base

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +16,7 @@ struct List::Data {
   std::string path;
   std::map<std::string, Value> values;  ///< every declared parameter, defaults filled in
   std::map<std::string, std::vector<std::pair<double, double>>> tables;
-  std::set<std::string> given;
+  std::map<std::string, std::string> given;  ///< names that the input gives, with the file that wrote them
   std::map<std::string, std::shared_ptr<const Data>> lists;
   std::vector<std::shared_ptr<const Data>> entries;
 };

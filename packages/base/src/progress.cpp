@@ -29,8 +29,9 @@ std::string duration_text(double seconds) {
 std::string progress_line(const ProgressPoint& point) {
   std::ostringstream out;
   out << '[' << point.stage_number << '/' << point.stages << "] " << point.stage << ": step " << point.step << ", "
-      << std::fixed << std::setprecision(1) << 100.0 * point.parameter << " %, load " << std::setprecision(4)
-      << point.load << ", " << point.iterations << " iterations, " << duration_text(point.seconds) << " elapsed";
+      << std::fixed << std::setprecision(1) << 100.0 * point.parameter
+      << (point.final_state ? " % (final state), load " : " %, load ") << std::setprecision(4) << point.load << ", "
+      << point.iterations << " iterations, " << duration_text(point.seconds) << " elapsed";
   if (const auto left = time_left(point)) out << ", about " << duration_text(*left) << " left";
   return out.str();
 }

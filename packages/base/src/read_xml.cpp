@@ -1,38 +1,14 @@
-#include <Teuchos_FileInputSource.hpp>
-#include <Teuchos_XMLParameterListReader.hpp>
-#include <fstream>
-
-#include "text.hpp"
-#include "toile/base/error.hpp"
+#include "include.hpp"
 #include "validate.hpp"
-#include "xml_check.hpp"
 
 namespace toile::base {
-namespace {
-
-Teuchos::XMLObject parse(const std::string& file) {
-  if (!std::ifstream(file).good()) throw InputError(file + ": cannot open this file");
-  try {
-    return Teuchos::FileInputSource(file).getObject();
-  } catch (const std::exception& error) {
-    throw InputError(file + ": not well-formed XML: " + xml_reason(error.what()));
-  }
-}
-
-}  // namespace
 
 List read_xml(const std::string& file, const Spec& spec) {
-  const Teuchos::XMLObject xml = parse(file);
+  const Merged merged = read_merged(file, spec.name());
   Texts problems;
-  check_xml(xml, spec.name(), file, problems);
+  auto data = validated(merged.list, spec, merged.origins, problems);
   throw_if_any(problems);
-  Teuchos::ParameterList list;
-  try {
-    list = Teuchos::XMLParameterListReader().toParameterList(xml);
-  } catch (const std::exception& error) {
-    throw InputError(file + ": not a Teuchos parameter list: " + xml_reason(error.what()));
-  }
-  return validate(list, spec, file);
+  return List(std::move(data));
 }
 
 }  // namespace toile::base

@@ -49,10 +49,10 @@ bool has_type(const Value& value, Type type) {
 /// Validates one list of the input against its description.
 class Validator {
  public:
-  Validator(const ParameterList& list, const Spec& spec, std::string file, std::string path, std::string name,
+  Validator(const ParameterList& list, const Spec& spec, const Origins& origins, std::string path, std::string name,
             Texts& problems)
-      : list_(list), scope_(spec, list), problems_(problems), data_(std::make_shared<List::Data>()) {
-    data_->file = std::move(file);
+      : list_(list), scope_(spec, list), origins_(origins), problems_(problems), data_(std::make_shared<List::Data>()) {
+    data_->file = origins.of(path);
     data_->path = std::move(path);
     data_->name = std::move(name);
   }
@@ -83,6 +83,11 @@ class Validator {
 
  private:
   void problem(const std::string& text) { problems_.push_back(problem_line(data_->file, data_->path, text)); }
+  /// A problem with what is given as `name`, which another file may have written than the list around it.
+  void problem_with(const std::string& name, const std::string& text) {
+    problems_.push_back(problem_line(file_of(name), data_->path, text));
+  }
+  const std::string& file_of(const std::string& name) const { return origins_.of(data_->path + " > " + name); }
 
   void read_parameter(const Parameter& parameter) {
     data_->values[parameter.name] = parameter.fallback;
@@ -94,7 +99,7 @@ class Validator {
       }
       return;
     }
-    data_->given.insert(parameter.name);
+    data_->given[parameter.name] = file_of(parameter.name);
     if (entry->isList() && parameter.may_table) {
       data_->values.erase(parameter.name);
       read_table(parameter);
@@ -104,8 +109,8 @@ class Validator {
     const int* whole = std::get_if<int>(&value);
     if (parameter.type == Type::real && whole != nullptr) value = static_cast<double>(*whole);
     if (!has_type(value, parameter.type)) {
-      problem("parameter \"" + parameter.name + "\" is " + found_text(*entry, value) + ", expected " +
-              expected_text(parameter));
+      problem_with(parameter.name, "parameter \"" + parameter.name + "\" is " + found_text(*entry, value) +
+                                       ", expected " + expected_text(parameter));
       return;
     }
     check_value(parameter, value);
@@ -128,18 +133,20 @@ class Validator {
     if (const auto* word = std::get_if<std::string>(&value)) {
       const Texts& choices = parameter.choices;
       if (!choices.empty() && std::find(choices.begin(), choices.end(), *word) == choices.end()) {
-        problem("parameter \"" + parameter.name + "\" has the unknown value \"" + *word + "\"" + hint(*word, choices));
+        problem_with(parameter.name, "parameter \"" + parameter.name + "\" has the unknown value \"" + *word + "\"" +
+                                         hint(*word, choices));
       }
     }
   }
 
   void check_range(const Parameter& parameter, double number, const std::string& which) {
     if (number - number != 0.0) {
-      problem("parameter \"" + parameter.name + "\"" + which + " is " + number_text(number) + ", not a finite number");
+      problem_with(parameter.name, "parameter \"" + parameter.name + "\"" + which + " is " + number_text(number) +
+                                       ", not a finite number");
     } else if (!parameter.range.contains(number)) {
       const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-      problem("parameter \"" + parameter.name + "\"" + which + " is out of range: " + number_text(number) + unit +
-              ", allowed: " + parameter.range.text() + unit);
+      problem_with(parameter.name, "parameter \"" + parameter.name + "\"" + which + " is out of range: " +
+                                       number_text(number) + unit + ", allowed: " + parameter.range.text() + unit);
     }
   }
 
@@ -155,12 +162,13 @@ class Validator {
     const auto& value = std::get<Reals>(table->values.at("value"));
     const std::string where = "table \"" + parameter.name + "\": ";
     if (position.empty() || position.size() != value.size()) {
-      problem(where + "\"position\" has " + std::to_string(position.size()) + " numbers and \"value\" has " +
-              std::to_string(value.size()) + "; both need the same number of them, at least one");
+      problem_with(parameter.name, where + "\"position\" has " + std::to_string(position.size()) +
+                                       " numbers and \"value\" has " + std::to_string(value.size()) +
+                                       "; both need the same number of them, at least one");
       return;
     }
     if (std::adjacent_find(position.begin(), position.end(), std::greater_equal<>()) != position.end()) {
-      problem(where + "\"position\" is " + value_text(position) + "; it must increase strictly");
+      problem_with(parameter.name, where + "\"position\" is " + value_text(position) + "; it must increase strictly");
       return;
     }
     auto& rows = data_->tables[parameter.name];
@@ -168,7 +176,7 @@ class Validator {
   }
 
   std::shared_ptr<const List::Data> sub(const std::string& name, const Spec& spec) {
-    return Validator(list_.sublist(name), spec, data_->file, data_->path + " > " + name, name, problems_).run();
+    return Validator(list_.sublist(name), spec, origins_, data_->path + " > " + name, name, problems_).run();
   }
 
   void read_list(const std::string& name) {
@@ -177,20 +185,22 @@ class Validator {
     } else if (scope_.entry != nullptr) {
       data_->entries.push_back(sub(name, *scope_.entry));
     } else if (scope_.complete) {
-      problem("unknown list \"" + name + "\"" + scope_.belongs(name) + hint(name, scope_.list_names()));
+      problem_with(name, "unknown list \"" + name + "\"" + scope_.belongs(name) + hint(name, scope_.list_names()));
     }
   }
 
   void unknown_parameter(const std::string& name) {
     if (scope_.list(name) != nullptr) {
-      problem("\"" + name + "\" is a parameter here, expected a list: " + scope_.list(name)->text());
+      problem_with(name, "\"" + name + "\" is a parameter here, expected a list: " + scope_.list(name)->text());
     } else if (scope_.complete || scope_.belongs(name).empty()) {
-      problem("unknown parameter \"" + name + "\"" + scope_.belongs(name) + hint(name, scope_.parameter_names()));
+      problem_with(name,
+                   "unknown parameter \"" + name + "\"" + scope_.belongs(name) + hint(name, scope_.parameter_names()));
     }
   }
 
   const ParameterList& list_;
   Scope scope_;
+  const Origins& origins_;
   Texts& problems_;
   std::shared_ptr<List::Data> data_;
 };
@@ -201,9 +211,9 @@ std::string problem_line(const std::string& file, const std::string& path, const
   return file + ": " + path + ": " + problem;
 }
 
-std::shared_ptr<const List::Data> validated(const ParameterList& list, const Spec& spec, const std::string& file,
+std::shared_ptr<const List::Data> validated(const ParameterList& list, const Spec& spec, const Origins& origins,
                                             Texts& problems) {
-  return Validator(list, spec, file, spec.name(), spec.name(), problems).run();
+  return Validator(list, spec, origins, spec.name(), spec.name(), problems).run();
 }
 
 void throw_if_any(const Texts& problems) {
@@ -212,7 +222,7 @@ void throw_if_any(const Texts& problems) {
 
 List validate(const ParameterList& list, const Spec& spec, const std::string& file) {
   Texts problems;
-  auto data = validated(list, spec, file, problems);
+  auto data = validated(list, spec, Origins(file), problems);
   throw_if_any(problems);
   return List(std::move(data));
 }

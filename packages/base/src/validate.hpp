@@ -3,6 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <string>
 
+#include "origins.hpp"
 #include "toile/base/parameters.hpp"
 
 namespace toile::base {
@@ -10,9 +11,9 @@ namespace toile::base {
 /// One line of an error message.
 std::string problem_line(const std::string& file, const std::string& path, const std::string& problem);
 
-/// Validates `list`; what is wrong with it is appended to `problems`, one line each.
+/// Validates `list`; what is wrong with it is appended to `problems`, one line each, with the file that wrote it.
 std::shared_ptr<const List::Data> validated(const Teuchos::ParameterList& list, const Spec& spec,
-                                            const std::string& file, Texts& problems);
+                                            const Origins& origins, Texts& problems);
 
 /// Throws InputError with the lines of `problems`, if there are any.
 void throw_if_any(const Texts& problems);

@@ -64,7 +64,7 @@ class Revolution final : public RotatedSurface {
     constexpr int samples = 400;
     for (int i = 0; i <= samples; ++i) {
       const auto value = profile_->at(shown_.bottom + (shown_.top - shown_.bottom) * i / samples);
-      least_radius_ = std::min(least_radius_, value.radius);
+      greatest_radius_ = std::max(greatest_radius_, value.radius);
       const double bend = std::abs(value.bend) / std::pow(1.0 + value.slope * value.slope, 1.5);
       reach_ = std::min({reach_, 0.5 * value.radius, bend > 0.0 ? 0.5 / bend : reach_});
     }
@@ -72,7 +72,7 @@ class Revolution final : public RotatedSurface {
   double reach() const override { return reach_; }
   TriangleMesh triangles(double size) const override {
     const int rows = divisions(shown_.top - shown_.bottom, size, 1);
-    const int columns = divisions(2.0 * M_PI * least_radius_, size, 12);
+    const int columns = divisions(2.0 * M_PI * greatest_radius_, size, 12);
     return tube(columns, rows, [this](double u, double v) -> Vec3 {
       const double z = shown_.bottom + v * (shown_.top - shown_.bottom);
       const double r = profile_->at(z).radius;
@@ -88,7 +88,7 @@ class Revolution final : public RotatedSurface {
   Span shown_;
   std::string name_;
   double reach_ = std::numeric_limits<double>::infinity();
-  double least_radius_ = std::numeric_limits<double>::infinity();
+  double greatest_radius_ = 0.0;
 };
 
 class Ellipsoid final : public RotatedSurface {

@@ -1,5 +1,6 @@
 #include <cblas.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <array>
 #include <cmath>
@@ -121,11 +122,26 @@ void NormalEquations::fill(cholmod_sparse* matrix) const {
   starts[grid_.unknowns()] = count;
 }
 
+/// Keeps CHOLMOD and BLAS on one thread while it lives. CHOLMOD asks for four threads whatever OMP_NUM_THREADS says,
+/// and they spin: with as many ranks or programs as cores, the fit took 50 times longer.
+class OneThread {
+ public:
+  OneThread() : levels_(omp_get_max_active_levels()) {
+    omp_set_max_active_levels(0);
+    openblas_set_num_threads(1);
+  }
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_;
+};
+
 std::vector<double> NormalEquations::solve() const {
   const std::size_t n = right_.size();
   const std::size_t nonzeros = values_.size() - std::count(values_.begin(), values_.end(), 0.0);
-  // The threads of OpenBLAS make the small dense blocks of a sparse factor slower, not faster.
-  openblas_set_num_threads(1);
+  const OneThread one_thread;
   cholmod_common common;
   cholmod_start(&common);
   common.supernodal = CHOLMOD_SUPERNODAL;

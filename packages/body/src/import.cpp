@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "import_checks.hpp"
@@ -41,9 +42,12 @@ CgalSoup read_soup(const std::string& file) {
   }
   CgalSoup soup;
   const bool read = CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  if (!read || soup.polygons.empty()) {
+  const auto is_damaged = [&soup](const std::vector<std::size_t>& polygon) {
+    return std::any_of(polygon.begin(), polygon.end(), [&](std::size_t i) { return i >= soup.points.size(); });
+  };
+  if (!read || soup.polygons.empty() || std::any_of(soup.polygons.begin(), soup.polygons.end(), is_damaged)) {
     throw base::InputError(file + ": cannot be read as " + extension.substr(1) +
-                           " (no facets, or the text is damaged)");
+                           " (no facets, corners that are not there, or damaged text)");
   }
   return soup;
 }
@@ -102,11 +106,12 @@ Mesh build(const std::string& file, CgalSoup* soup, std::string* notes) {
   if (!pmp::triangulate_faces(mesh)) {
     throw base::InputError(file + ": a facet with more than three corners cannot be cut into triangles");
   }
-  const std::size_t faces = mesh.number_of_faces();
-  pmp::remove_degenerate_faces(mesh);
-  mesh.collect_garbage();
-  if (mesh.number_of_faces() < faces) {
-    note(std::to_string(faces - mesh.number_of_faces()) + " facets without area removed", notes);
+  std::vector<Mesh::Face_index> flat;
+  pmp::degenerate_faces(mesh, std::back_inserter(flat));
+  if (!flat.empty()) {
+    pmp::remove_degenerate_faces(mesh);
+    mesh.collect_garbage();
+    note(std::to_string(flat.size()) + " facets without area removed", notes);
   }
   return mesh;
 }

@@ -54,11 +54,11 @@ void check_height(const std::string& file, const PolygonSoup& soup, const Import
        << options.greatest_height << " mm";
   for (const auto& [factor, unit] : {std::pair(1000.0, "metres"), std::pair(10.0, "centimetres")}) {
     if (height * factor >= 300.0 && height * factor <= 2500.0) {
-      text << "; it looks like " << unit << ": set parameter scale = " << factor * options.scale;
+      text << "; it looks like " << unit << ": set parameter \"scale\" = " << factor * options.scale;
       throw base::InputError(text.str());
     }
   }
-  text << "; z must be the height, and parameter scale turns the unit of the file into mm";
+  text << "; z must be the height, and parameter \"scale\" turns the unit of the file into mm";
   throw base::InputError(text.str());
 }
 
@@ -69,7 +69,7 @@ void check_manifold(const std::string& file, const PolygonSoup& soup) {
 
 void check_closed(const std::string& file, const PolygonSoup& soup) {
   refuse_edges(file, soup, "the surface is open, it has a border",
-               "Close it, or set parameter closed = false if a tube with open ends is meant.",
+               "Close it, or set parameter \"closed\" = false if a tube with open ends is meant.",
                [](const MeshEdge& edge) { return edge.count() == 1; });
 }
 
@@ -77,7 +77,7 @@ bool check_consistent(const std::string& file, const PolygonSoup& soup, const Im
   const auto clash = [](const MeshEdge& edge) { return edge.forward > 1 || edge.backward > 1; };
   if (!options.repair_orientation) {
     refuse_edges(file, soup, "neighbouring facets look to opposite sides",
-                 "Parameter repair orientation = true turns them.", clash);
+                 "Parameter \"repair orientation\" = true turns them.", clash);
     return true;
   }
   const auto edges = mesh_edges(soup.polygons);
@@ -104,7 +104,7 @@ int orient_outwards(const std::string& file, const ImportOptions& options, Trian
   if (reversed > 0 && !options.repair_orientation) {
     throw base::InputError(file + ": the body is reversed (inside-out): the facets of " + std::to_string(reversed) +
                            " of " + std::to_string(volumes.size()) +
-                           " connected pieces look inwards. Parameter repair orientation = true turns them.");
+                           " connected pieces look inwards. Parameter \"repair orientation\" = true turns them.");
   }
   for (auto& t : mesh->triangles) {
     if (volumes.at(pieces.of(t)) < 0.0) {

@@ -19,7 +19,7 @@ constexpr double least_reach = 25.0;  ///< mm; fabric further away has no busine
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
 double default_cell(double edge) {
-  return edge < 5.0 ? std::max(3.0, 1.4 * edge) : std::max(7.0, 0.75 * edge);
+  return edge < 5.0 ? std::max(3.0, 1.4 * edge) : std::max(7.0, 0.6 * edge);
 }
 
 SurfacePoint from_facets(const TriangleTree::Hit& hit, const Vec3& point) {
@@ -28,6 +28,13 @@ SurfacePoint from_facets(const TriangleTree::Hit& hit, const Vec3& point) {
   result.normal = hit.distance > 0.0 ? Vec3((point - hit.point) / hit.signed_distance) : hit.pseudo_normal;
   result.closest = hit.point;
   return result;
+}
+
+/// Smaller eigenvalue of I + g W in the tangent plane (the third one is 1). Beyond a centre of curvature it is
+/// negative, and the stationary point no longer the closest one.
+double least_tangential_eigenvalue(const Mat3& offset) {
+  const double half_sum = 0.5 * (offset.trace() - 1.0);
+  return half_sum - std::sqrt(std::max(0.0, half_sum * half_sum - offset.determinant()));
 }
 
 class LevelSetSurface final : public Surface {
@@ -110,9 +117,7 @@ SurfacePoint LevelSetSurface::closest(const Vec3& point) const {
   const Mat3 weingarten = projector * field.hessian * projector / slope;
   const double gap = mu * slope;
   const Mat3 offset = Mat3::Identity() + gap * weingarten;
-  // Beyond a centre of curvature the stationary point is no longer the closest one.
-  const Eigen::SelfAdjointEigenSolver<Mat3> spectrum(offset, Eigen::EigenvaluesOnly);
-  if (!(spectrum.eigenvalues()[0] > 1e-2)) {
+  if (!(least_tangential_eigenvalue(offset) > 1e-2)) {
     return result;
   }
   result.gap = gap;
@@ -146,7 +151,7 @@ void LevelSetSurface::report_fit() {
   text << "smooth surface of " << field_.grid().active_cells() << " cells of " << field_.grid().cell()
        << " mm (mean edge " << edge_ << " mm), fitted in " << seconds.count() << " s; distance to the vertices "
        << std::sqrt(squares / weight) << " mm root mean square, mean " << mean / weight << ", from " << -most_in
-       << " to " << most_out << " (positive: outside the facets)";
+       << " to " << most_out << " (positive: outside of the vertex)";
   if (lost > 0) {
     text << "; " << lost << " vertices have no smooth surface near them";
   }

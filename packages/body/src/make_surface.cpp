@@ -82,7 +82,7 @@ ImportOptions read_import_options(const List& list) {
 
 SurfacePtr make_imported(const List& list, const Region* region) {
   namespace fs = std::filesystem;
-  const std::string file = (fs::path(list.file()).parent_path() / list.word("file")).lexically_normal().string();
+  const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
   Import import = import_body(file, read_import_options(list));
   Region reach;
   if (list.has_list("Reach")) {

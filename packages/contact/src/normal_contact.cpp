@@ -16,7 +16,7 @@ NodeContact evaluate(const body::Surface& surface, const Vec3& x, double offset,
   c.complementarity = (multiplier - c.trial_force) / stiffness;
   if (c.active) {
     c.residual = -c.trial_force * p.normal;
-    c.tangent = stiffness * p.normal * p.normal.transpose() - c.trial_force * p.hessian;
+    c.curvature = -c.trial_force * p.hessian;
   }
   return c;
 }
@@ -26,6 +26,8 @@ double balancing_multiplier(const NodeContact& contact, const Vec3& internal, do
   return std::max(0.0, internal.dot(contact.normal));
 }
 
-double pressure(double force, double area) { return area > 0.0 ? force / area : 0.0; }
+double pressure(double force, double area) {
+  return area > 0.0 ? force / area : 0.0;
+}
 
 }  // namespace toile::contact

@@ -43,19 +43,20 @@ mesh::FourSides read_sides(const base::List& entry) {
 void check_outline(const base::List& entry, const mesh::FourSides& sides) {
   if (const auto gap = sides.open_corner()) {
     entry.fail("shape",
-               "the outline of panel '" + entry.name() + "' is not closed: " + *gap + " must be the same point");
+               "the outline of panel \"" + entry.name() + "\" is not closed: " + *gap + " must be the same point");
   }
   const std::vector<mesh::Vec2> outline = sides.polygon(outline_points_per_side);
   if (const auto at = mesh::find_self_intersection(outline)) {
     std::ostringstream text;
-    text << "panel '" << entry.name() << "' overlaps itself near (" << at->x() << ", " << at->y()
+    text << "panel \"" << entry.name() << "\" overlaps itself near (" << at->x() << ", " << at->y()
          << ") mm of its pattern; its outline must not cross or touch itself";
     entry.fail("shape", text.str());
   }
   if (mesh::signed_area(outline) <= 0.0) {
-    entry.fail("shape", "the outline of panel '" + entry.name() +
-                            "' runs clockwise: 'bottom' and 'top' must run from left to right, 'left' and 'right' "
-                            "from bottom to top, with the right side of the fabric facing the reader");
+    entry.fail("shape",
+               "the outline of panel \"" + entry.name() +
+                   "\" runs clockwise: \"bottom\" and \"top\" must run from left to right, \"left\" and \"right\" "
+                   "from bottom to top, with the right side of the fabric facing the reader");
   }
 }
 

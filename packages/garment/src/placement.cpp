@@ -28,7 +28,7 @@ base::Spec flat_spec() {
 std::vector<Vec3> place_flat(const base::List& placement, const mesh::Grid& grid, const body::Surface*) {
   const Vec3 x = read_direction(placement, "x direction");
   const Vec3 y = read_direction(placement, "y direction");
-  if (std::abs(x.dot(y)) > 1e-6) placement.fail("y direction", "must be perpendicular to 'x direction'");
+  if (std::abs(x.dot(y)) > 1e-6) placement.fail("y direction", "must be perpendicular to \"x direction\"");
   return lay_flat(grid, read_vector(placement, "origin"), x, y);
 }
 

@@ -16,7 +16,7 @@ struct Edge {
   double length() const { return arc.back(); }
   std::string text() const {
     std::ostringstream out;
-    out << "'" << name << "' (" << nodes.size() << " nodes, " << length() << " mm)";
+    out << '"' << name << "\" (" << nodes.size() << " nodes, " << length() << " mm)";
     return out.str();
   }
 };
@@ -28,10 +28,10 @@ Edge read_edge(const base::List& entry, const std::string& parameter, const mesh
     base::Texts valid;
     for (const auto& [name, nodes] : mesh.edges) valid.push_back(name);
     const std::string nearest = base::nearest_name(edge.name, valid);
-    std::string problem = "there is no edge '" + edge.name + "'";
-    if (!nearest.empty()) problem += ", did you mean '" + nearest + "'?";
-    problem += " Edges:";
-    for (const std::string& name : valid) problem += " " + name;
+    std::string problem = "there is no edge \"" + edge.name + "\"";
+    problem += nearest.empty() ? "." : "; did you mean \"" + nearest + "\"?";
+    problem += " Valid here:";
+    for (const std::string& name : valid) problem += (&name == &valid.front() ? " " : ", ") + name;
     entry.fail(parameter, problem);
   }
   edge.nodes = found->second;
@@ -44,7 +44,7 @@ Edge read_edge(const base::List& entry, const std::string& parameter, const mesh
 
 void check_match(const base::List& entry, const Edge& first, const Edge& second) {
   const std::string both = first.text() + " and " + second.text();
-  if (first.name == second.name) entry.fail("second", "the edge '" + first.name + "' cannot be sewn to itself");
+  if (first.name == second.name) entry.fail("second", "the edge \"" + first.name + "\" cannot be sewn to itself");
   if (first.nodes.size() != second.nodes.size()) {
     entry.fail("second", "a seam whose edges cannot match: " + both +
                              " have different numbers of nodes; give both panels the same number of elements there");
@@ -53,7 +53,7 @@ void check_match(const base::List& entry, const Edge& first, const Edge& second)
   std::ostringstream allowed;
   if (std::abs(first.length() - second.length()) > ease * std::max(first.length(), second.length())) {
     allowed << "a seam whose edges cannot match: the lengths of " << both << " differ by more than " << 100.0 * ease
-            << " % (parameter 'ease')";
+            << " % (parameter \"ease\")";
     entry.fail("second", allowed.str());
   }
   for (std::size_t k = 0; k < first.nodes.size(); ++k) {

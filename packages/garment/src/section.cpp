@@ -18,7 +18,7 @@ constexpr int most_steps = 500;
 
 [[noreturn]] void fail(const std::string& what, double height) {
   std::ostringstream text;
-  text << what << " at the height " << height << " mm above 'axis bottom'";
+  text << what << " at the height " << height << " mm above \"axis bottom\"";
   throw base::InputError(text.str());
 }
 

@@ -66,7 +66,7 @@ FourSides profile_sides(const base::List& panel) {
   const base::Reals& widths = panel.reals("widths");
   if (levels.size() < 2) panel.fail("levels", "has fewer than two values; a panel needs a lower and an upper end");
   if (widths.size() != levels.size()) {
-    panel.fail("widths", "has " + std::to_string(widths.size()) + " values, but 'levels' has " +
+    panel.fail("widths", "has " + std::to_string(widths.size()) + " values, but \"levels\" has " +
                              std::to_string(levels.size()) + "; there must be one width for each level");
   }
   std::vector<Vec2> left, right;

@@ -32,7 +32,7 @@ base::Spec add_wrap_parameters(base::Spec spec) {
 Axis read_axis(const base::List& list) {
   const Vec3 bottom = read_vector(list, "axis bottom");
   const Vec3 along = read_vector(list, "axis top") - bottom;
-  if (along.norm() <= 0.0) list.fail("axis top", "must differ from 'axis bottom'");
+  if (along.norm() <= 0.0) list.fail("axis top", "must differ from \"axis bottom\"");
   const Vec3 direction = along.normalized();
   const Vec3 wanted = read_direction(list, "zero direction");
   const Vec3 zero = wanted - wanted.dot(direction) * direction;
@@ -44,7 +44,7 @@ Axis read_axis(const base::List& list) {
 std::vector<double> row_heights(const base::List& list, const mesh::Grid& grid) {
   const double from = list.real("from");
   const double to = list.real("to");
-  if (to <= from) list.fail("to", "must be above 'from'");
+  if (to <= from) list.fail("to", "must be above \"from\"");
   std::vector<double> level;
   for (int j = 0; j <= grid.along; ++j) {
     double sum = 0.0;
@@ -80,7 +80,7 @@ std::vector<Vec3> wrap(const base::List& list, const mesh::Grid& grid,
     if (width > section.girth() * (1.0 + 1e-9)) {
       std::ostringstream text;
       text << "the pattern is " << width << " mm wide at the height " << heights[j] << " mm, but the girth there is "
-           << section.girth() << " mm: give a 'coverage' of at most 1, or wrap the panel further away from the axis";
+           << section.girth() << " mm: give a \"coverage\" of at most 1, or wrap the panel further away from the axis";
       list.fail("coverage", text.str());
     }
     const double centre = list.real("angle") / 360.0 * section.girth();
@@ -93,7 +93,7 @@ std::vector<Vec3> wrap(const base::List& list, const mesh::Grid& grid,
 }
 
 std::vector<Vec3> place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
-  if (body == nullptr) list.fail("type", "'wrap' needs a body, and the scene has none; 'free wrap' does not");
+  if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
   return wrap(list, grid, [&list, body, offset](const Axis& axis, double height) {
     try {
@@ -106,7 +106,7 @@ std::vector<Vec3> place_on_body(const base::List& list, const mesh::Grid& grid, 
 
 std::vector<Vec3> place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
   const base::Reals& around = list.reals("around");
-  if (around.size() != 2) list.fail("around", "needs two radii, one at 'from' and one at 'to'");
+  if (around.size() != 2) list.fail("around", "needs two radii, one at \"from\" and one at \"to\"");
   const double from = list.real("from");
   const double to = list.real("to");
   return wrap(list, grid, [&around, from, to](const Axis&, double height) {

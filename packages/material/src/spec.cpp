@@ -18,7 +18,7 @@ void add_parameter(base::Spec& spec, const ParamInfo& info) {
     spec.choice(info.name, info.text, words, words[static_cast<std::size_t>(info.fallback)]);
   } else {
     base::Parameter parameter{info.name, base::Type::real, info.unit, info.text, info.fallback, range_of(info)};
-    if (info.fallback != info.fallback) parameter.text += " (to be given, unless \"set\" names a published set)";
+    if (info.fallback != info.fallback) parameter.text += " To be given, unless 'set' names a published set.";
     parameter.may_table = true;
     spec.add(parameter);
   }
@@ -28,12 +28,12 @@ base::Spec law_spec(const MaterialV1& law) {
   base::Spec spec(law.name, law.text);
   if (law.n_sets > 0) {
     base::Texts names = {"none"};
-    std::string text = "published set that fills every parameter that is not given";
+    std::string text = "Published set that fills every parameter that is not given";
     for (int i = 0; i < law.n_sets; ++i) {
       names.push_back(law.sets[i].name);
       text += std::string(i == 0 ? ": " : "; ") + law.sets[i].name + " - " + law.sets[i].text;
     }
-    spec.choice("set", text, names, std::string("none"));
+    spec.choice("set", text + '.', names, std::string("none"));
   }
   for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i]);
   return spec;
@@ -55,9 +55,10 @@ bool is_flag(const std::vector<std::string>& words) {
 base::Spec material_spec() {
   std::vector<base::Spec> variants;
   for (const MaterialV1* law : registry()) variants.push_back(law_spec(*law));
-  base::Spec spec("Material", "One fabric: the energy per reference volume of incompressible plane stress");
-  spec.real("thickness", "mm", "thickness h0 of the stress-free fabric", 1.0, base::Range::positive());
-  spec.variant("type", "energy of the fabric", std::move(variants));
+  base::Spec spec("material",
+                  "One fabric, by its energy W per reference volume; it is incompressible and in plane stress.");
+  spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
+  spec.variant("type", "Energy of the fabric.", std::move(variants));
   return spec;
 }
 

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <limits>
 
-#include "toile/result/csv.hpp"
-#include "toile/result/units.hpp"
 #include "triangulate.hpp"
 
 namespace toile::result {
@@ -129,19 +126,6 @@ LevelRow Cutter::row(const std::string& name, double height) const {
   return row;
 }
 
-Column column(const std::string& name, const std::string& unit, const std::vector<LevelRow>& rows,
-              const std::function<double(const LevelRow&)>& value) {
-  Column result{{name, unit}, {}};
-  std::transform(rows.begin(), rows.end(), std::back_inserter(result.values), value);
-  return result;
-}
-
-void add_pressure(Table& table, const std::string& name, const std::vector<LevelRow>& rows, double LevelRow::*value) {
-  table.columns.push_back(column(name, "kPa", rows, [=](const LevelRow& r) { return kpa_per_mpa * r.*value; }));
-  table.columns.push_back(
-      column(name, "mmHg", rows, [=](const LevelRow& r) { return mmhg_per_kpa * kpa_per_mpa * r.*value; }));
-}
-
 }  // namespace
 
 std::vector<LevelRow> levels(const GarmentFields& garment, const Axis& axis, const std::vector<Level>& levels) {
@@ -168,26 +152,6 @@ std::vector<LevelRow> pressure_curve(const GarmentFields& garment, const Axis& a
     }
   }
   return rows;
-}
-
-void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows) {
-  Table table;
-  if (std::any_of(rows.begin(), rows.end(), [](const LevelRow& row) { return !row.name.empty(); })) {
-    table.row_title = "level";
-    std::transform(rows.begin(), rows.end(), std::back_inserter(table.row_names),
-                   [](const LevelRow& row) { return row.name; });
-  }
-  table.columns.push_back(column("height", "mm", rows, [](const LevelRow& r) { return r.height; }));
-  add_pressure(table, "mean pressure", rows, &LevelRow::pressure_mean);
-  add_pressure(table, "smallest pressure", rows, &LevelRow::pressure_min);
-  add_pressure(table, "largest pressure", rows, &LevelRow::pressure_max);
-  add_pressure(table, "Laplace T/r", rows, &LevelRow::laplace);
-  table.columns.push_back(column("girth", "mm", rows, [](const LevelRow& r) { return r.girth; }));
-  table.columns.push_back(column("mean radius", "mm", rows, [](const LevelRow& r) { return r.radius; }));
-  table.columns.push_back(column("hoop tension T", "N/mm", rows, [](const LevelRow& r) { return r.hoop_tension; }));
-  table.columns.push_back(
-      column("smallest principal stress", "MPa", rows, [](const LevelRow& r) { return r.smallest_stress; }));
-  write_csv(path, table);
 }
 
 }  // namespace toile::result

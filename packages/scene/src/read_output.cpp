@@ -6,6 +6,8 @@ namespace toile::scene {
 
 namespace {
 
+constexpr const char* no_body = "the scene has no list \"Body\", so there is no pressure";
+
 solve::Vec3 vector_of(const base::List& list, const std::string& name) {
   const base::Reals& v = list.reals(name);
   if (v.size() != 3) list.fail(name, "found " + std::to_string(v.size()) + " numbers, expected 3 (x, y, z)");
@@ -16,7 +18,7 @@ std::string unknown(const std::string& kind, const std::string& name, const base
   const std::string near = base::nearest_name(name, valid);
   std::string all;
   for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
-  return "no " + kind + " is named \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
+  return "no " + kind + " is named \"" + name + "\"" + (near.empty() ? "." : "; did you mean \"" + near + "\"?") +
          " Valid here: " + all;
 }
 
@@ -40,10 +42,13 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   out.axis_direction = vector_of(list, "axis direction");
   if (out.axis_direction.norm() == 0.0) list.fail("axis direction", "must not be zero");
   out.stations = list.integer("stations");
+  if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
+  if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
   out.body_size = list.real("body size");
   if (list.has_list("Levels"))
     for (const base::List& entry : list.list("Levels").entries())
       out.levels.push_back({entry.name(), entry.real("height")});
+  if (problem.surface == nullptr && !out.levels.empty()) list.list("Levels").entries().front().fail("height", no_body);
   if (list.has_list("Force curves"))
     for (const base::List& entry : list.list("Force curves").entries()) {
       ForceCurve curve{entry.name(), -1, entry.real("length")};
@@ -62,10 +67,15 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   return out;
 }
 
-std::vector<Check> read_checks(const base::List& list) {
+std::vector<Check> read_checks(const base::List& list, bool with_body) {
   std::vector<Check> checks;
-  for (const base::List& entry : list.entries())
-    checks.push_back({entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")});
+  for (const base::List& entry : list.entries()) {
+    const Check check{entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")};
+    if (check.lower > check.upper) entry.fail("lower", "must not be above \"upper\"");
+    if (!with_body && (check.quantity == "largest pressure" || check.quantity == "largest gap"))
+      entry.fail("quantity", no_body);
+    checks.push_back(check);
+  }
   return checks;
 }
 

@@ -7,6 +7,7 @@
 namespace toile::scene {
 
 Output read_output(const base::List& list, const solve::Problem& problem);
-std::vector<Check> read_checks(const base::List& list);
+/// `with_body`: without one there is no pressure and no gap to check.
+std::vector<Check> read_checks(const base::List& list, bool with_body);
 
 }  // namespace toile::scene

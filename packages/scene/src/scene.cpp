@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "read_output.hpp"
+#include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
 #include "toile/element/element.hpp"
 #include "toile/mesh/partition.hpp"
@@ -16,6 +17,14 @@ namespace {
 std::optional<base::List> optional_list(const base::List& list, const std::string& name) {
   if (!list.has_list(name)) return std::nullopt;
   return list.list(name);
+}
+
+[[noreturn]] void fail_sewing(const base::List& stages) {
+  for (const base::List& stage : stages.entries())
+    if (stage.word("type") == "sew")
+      stage.fail("type",
+                 "the scene has no list \"Seams\" with a seam to sew. Without seams, use a stage of type settle");
+  throw base::Error(base::ExitCode::internal_error, "no stage sews");
 }
 
 }  // namespace
@@ -36,15 +45,14 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(lis
     sews_ = sews_ || stage.type == solve::StageType::sew;
     damps_ = damps_ || stage.damping.active;
   }
-  if (sews_ && garment_.seams.empty())
-    list.list("Stages").fail("type", "a stage of type \"sew\" needs the list \"Seams\", which the scene does not have");
+  if (sews_ && garment_.seams.empty()) fail_sewing(list.list("Stages"));
   if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
   {
     const auto phase = timer.phase("partition");
     build_problem(list, ranks);
   }
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
-  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks);
+  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, surface_ != nullptr);
   list_modules(ranks);
 }
 
@@ -58,8 +66,10 @@ void Scene::build_laws(const base::List& list) {
     const std::string& wanted = panel.word("material");
     if (materials_.count(wanted) == 0) {
       const std::string near = base::nearest_name(wanted, names);
-      panel.fail("material", "no entry of \"Materials\" is named \"" + wanted + "\"" +
-                                 (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+      std::string all;
+      for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+      panel.fail("material", "no entry of the list \"Materials\" has this name" +
+                                 (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
     }
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
@@ -73,11 +83,14 @@ void Scene::build_problem(const base::List& list, int ranks) {
   problem_.mesh = &garment_.mesh;
   problem_.clusters = garment_.clusters.members;
   problem_.surface = surface_.get();
-  if (const auto supports = optional_list(list, "Supports"))
-    problem_.supports = solve::read_supports(*supports, garment_.mesh);
+  const auto supports = optional_list(list, "Supports");
+  if (supports) problem_.supports = solve::read_supports(*supports, garment_.mesh);
+  solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
   if (const auto loads = optional_list(list, "Loads")) problem_.loads = solve::read_loads(*loads, garment_.mesh);
   if (const auto contact = optional_list(list, "Contact")) {
-    if (surface_ == nullptr) list.fail("Contact", "the scene has no list \"Body\" to be in contact with");
+    if (surface_ == nullptr)
+      throw base::InputError(contact->file() + ": " + contact->path() +
+                             ": the scene has no list \"Body\" to be in contact with");
     problem_.contact = solve::read_contact(*contact);
   }
   const mesh::Partition partition = mesh::partition(garment_.mesh, garment_.clusters.of_node, ranks);

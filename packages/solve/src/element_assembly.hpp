@@ -13,11 +13,11 @@ class ElementAssembly {
   ElementAssembly(const Problem& problem, const Layout& layout, const Graph& graph);
 
   struct Sums {
-    double energy = 0.0;           ///< N mm, of the elements owned by this rank
-    std::vector<double> force;     ///< [local cluster][3] gradient of the strain energy, N; complete where owned
-    std::vector<double> magnitude; ///< [local cluster][3] sum of the magnitudes that met there, N
-    int extrapolated = 0;          ///< owned elements outside the calibrated range of their fabric
-    int not_admissible = 0;        ///< owned elements with a point that has no energy
+    double energy = 0.0;            ///< N mm, of the elements owned by this rank
+    std::vector<double> force;      ///< [local cluster][3] gradient of the strain energy, N; complete where owned
+    std::vector<double> magnitude;  ///< [local cluster][3] sum of the magnitudes that met there, N
+    int extrapolated = 0;           ///< owned elements outside the calibrated range of their fabric
+    int not_admissible = 0;         ///< owned elements with a point that has no energy
   };
 
   /// `x`: [local node][3] mm. Adds to `values` (entries of the graph, may be null).

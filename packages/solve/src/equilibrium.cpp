@@ -8,22 +8,25 @@
 namespace toile::solve {
 
 Equilibrium::Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
-                         const Drive& drive, bool seams_closed,
-                         const SolverOptions& options, RCP<const Comm> comm)
+                         const Drive& drive, const SolverOptions& options, RCP<const Comm> comm)
     : problem_(problem),
       options_(options),
       drive_(drive),
-      layout_(problem, std::move(held), seams_closed, std::move(comm)),
+      layout_(problem, held, std::move(comm)),
       graph_(make_graph(layout_)),
       tangent_(rcp(new Matrix(graph_))),
+      projected_(layout_.contact ? rcp(new Matrix(graph_)) : tangent_),
+      projection_(layout_, *graph_),
       elements_(problem, layout_, *graph_),
-      linear_(tangent_, options.linear),
+      linear_(projected_, options.linear),
       start_(start) {
   tangent_->fillComplete(layout_.dof_map, layout_.dof_map);
+  if (layout_.contact) projected_->fillComplete(layout_.dof_map, layout_.dof_map);
   mass_ = elements_.reference_areas();
   cluster_mass_.assign(layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < mass_.size(); ++n) cluster_mass_[layout_.node_cluster[n]] += mass_[n];
-  for (const ContactNode& c : layout_.contact_nodes) offset_.push_back(start.offset[c.node]);
+  for (int c = 0; c < layout_.owned_clusters; ++c) offset_.push_back(start.offset[layout_.clusters[c]]);
+  find_open_seams();
   find_diagonal_blocks();
   find_loads();
   scale();
@@ -56,14 +59,14 @@ void Equilibrium::find_loads() {
   std::vector<Vec3> nodal(problem_.mesh->nodes(), Vec3::Zero());
   for (const EdgeLoad& load : problem_.loads)
     for (size_t i = 0; i + 1 < load.nodes.size(); ++i) {
-      const double length =
-          (problem_.mesh->pattern[load.nodes[i + 1]] - problem_.mesh->pattern[load.nodes[i]]).norm();
+      const double length = (problem_.mesh->pattern[load.nodes[i + 1]] - problem_.mesh->pattern[load.nodes[i]]).norm();
       nodal[load.nodes[i]] += 0.5 * length * load.traction;
       nodal[load.nodes[i + 1]] += 0.5 * length * load.traction;
     }
   load_.assign(3 * layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < layout_.nodes.size(); ++n)
-    for (int d = 0; d < 3; ++d) load_[3 * static_cast<size_t>(layout_.node_cluster[n]) + d] += nodal[layout_.nodes[n]][d];
+    for (int d = 0; d < 3; ++d)
+      load_[3 * static_cast<size_t>(layout_.node_cluster[n]) + d] += nodal[layout_.nodes[n]][d];
 }
 
 // Means of the undamped start tangent and of the lumped area: the measures of contact stiffness and damping.
@@ -75,16 +78,19 @@ void Equilibrium::scale() {
   double* values = local.values.data();
   std::fill_n(values, local.values.extent(0), 0.0);
   elements_.evaluate(x_, values);
-  double diagonal = 0.0, mass = 0.0, rows = 0.0;
+  double diagonal = 0.0, squared = 0.0, mass = 0.0, rows = 0.0;
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int i = 0; i < 3; ++i)
       if (diagonal_[c][i][i] >= 0) {
-        diagonal += values[diagonal_[c][i][i]];
+        const double entry = values[diagonal_[c][i][i]];
+        diagonal += entry;
+        squared += entry * entry;
         mass += cluster_mass_[c];
         rows += 1.0;
       }
   const double count = std::max(1.0, sum(rows));
   mean_diagonal_ = sum(diagonal) / count;
+  diagonal_norm_ = std::sqrt(sum(squared));
   mean_mass_ = sum(mass) / count;
   stiffness_ = problem_.contact.relative_stiffness * std::abs(mean_diagonal_);
 }
@@ -94,7 +100,9 @@ Vec3 Equilibrium::separation(int node, int cluster, double s) const {
   return (1.0 - drive_.seam(s)) * (problem_.mesh->placed[node] - problem_.mesh->placed[master]);
 }
 
-Vec3 Equilibrium::cluster_position(size_t c) const { return Vec3(y_[3 * c], y_[3 * c + 1], y_[3 * c + 2]); }
+Vec3 Equilibrium::cluster_position(size_t c) const {
+  return Vec3(y_[3 * c], y_[3 * c + 1], y_[3 * c + 2]);
+}
 
 RCP<Vector> Equilibrium::vector_of(const State& state) const {
   const RCP<Vector> z = rcp(new Vector(layout_.state_map));
@@ -103,9 +111,13 @@ RCP<Vector> Equilibrium::vector_of(const State& state) const {
     for (int i = 0; i < 3; ++i)
       if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = state.position[layout_.clusters[c]][i];
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i)
-    data[first + i] = state.contact_force[layout_.contact_nodes[i].node];
+  for (size_t c = 0; c < multipliers(); ++c) data[first + c] = state.contact_force[layout_.clusters[c]];
   return z;
+}
+
+double Equilibrium::held_position(int cluster, int component, double s) const {
+  const HeldComponent& h = layout_.held[cluster][component];
+  return h.base + drive_.load(s) * h.displacement;
 }
 
 void Equilibrium::positions(const Vector& z, double s) {
@@ -117,7 +129,7 @@ void Equilibrium::positions(const Vector& z, double s) {
   for (size_t c = 0; c < layout_.clusters.size(); ++c)
     for (int i = 0; i < 3; ++i) {
       const HeldComponent& h = layout_.held[c][i];
-      y_[3 * c + i] = h.held ? h.base + drive_.load(s) * h.displacement : data[layout_.dof[c][i]];
+      y_[3 * c + i] = h.held ? held_position(static_cast<int>(c), i, s) : data[layout_.dof[c][i]];
     }
   x_.resize(3 * layout_.nodes.size());
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
@@ -127,7 +139,9 @@ void Equilibrium::positions(const Vector& z, double s) {
   }
 }
 
-double Equilibrium::interval(double s) const { return s > s_previous_ ? s - s_previous_ : smallest_interval_; }
+double Equilibrium::interval(double s) const {
+  return s > s_previous_ ? s - s_previous_ : smallest_interval_;
+}
 
 std::vector<double> Equilibrium::damping_force(double s) const {
   std::vector<double> force(3 * layout_.clusters.size(), 0.0);
@@ -139,10 +153,25 @@ std::vector<double> Equilibrium::damping_force(double s) const {
   return force;
 }
 
-contact::NodeContact Equilibrium::contact(size_t i, double s, double multiplier) const {
-  const ContactNode& c = layout_.contact_nodes[i];
-  const Vec3 x = cluster_position(c.cluster) + separation(c.node, c.cluster, s);
-  return contact::evaluate(*problem_.surface, x, offset_[i], multiplier, stiffness_);
+// An open seam touches the body at the mean of its nodes. When placed, that mean lies inside the body by the sagitta of
+// the opening's chord, which fades with the square of the opening; at closing the condition is exact.
+void Equilibrium::find_open_seams() {
+  mean_separation_.assign(multipliers(), Vec3::Zero());
+  placed_depth_.assign(multipliers(), 0.0);
+  for (size_t c = 0; c < multipliers(); ++c) {
+    const std::vector<int>& members = problem_.clusters[layout_.clusters[c]];
+    if (members.size() == 1) continue;
+    const Vec3& master = problem_.mesh->placed[members.front()];
+    for (const int n : members)
+      mean_separation_[c] += (problem_.mesh->placed[n] - master) / static_cast<double>(members.size());
+    placed_depth_[c] = std::min(0.0, problem_.surface->closest(master + mean_separation_[c]).gap);
+  }
+}
+
+contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) const {
+  const double open = 1.0 - drive_.seam(s);
+  const Vec3 x = cluster_position(static_cast<size_t>(c)) + open * mean_separation_[c];
+  return contact::evaluate(*problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
 }
 
 void Equilibrium::residual(const Vector& z, double s, Vector& f) {
@@ -160,10 +189,9 @@ void Equilibrium::residual(const Vector& z, double s, Vector& f) {
   const auto multiplier = z.getData();
   auto out = f.getDataNonConst();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) {
-    const contact::NodeContact c = contact(i, s, multiplier[first + i]);
-    for (int d = 0; d < 3; ++d)
-      force[3 * static_cast<size_t>(layout_.contact_nodes[i].cluster) + d] += c.residual[d];
+  for (size_t i = 0; i < multipliers(); ++i) {
+    const contact::NodeContact c = contact(static_cast<int>(i), s, multiplier[first + i]);
+    for (size_t d = 0; d < 3; ++d) force[3 * i + d] += c.residual[static_cast<Eigen::Index>(d)];
     out[first + i] = c.complementarity;
   }
   for (int c = 0; c < layout_.owned_clusters; ++c)
@@ -188,7 +216,7 @@ double Equilibrium::energy(const Vector& z, const Vector& frozen, double s) {
       total -= drive_.load(s) * load_[3 * static_cast<size_t>(c) + d] * y_[3 * static_cast<size_t>(c) + d];
   const auto multiplier = frozen.getData();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) total += contact(i, s, multiplier[first + i]).energy;
+  for (size_t i = 0; i < multipliers(); ++i) total += contact(static_cast<int>(i), s, multiplier[first + i]).energy;
   return sum(total);
 }
 
@@ -198,18 +226,25 @@ void Equilibrium::add_to_diagonal(double factor, double* values) const {
       if (diagonal_[c][i][i] >= 0) values[diagonal_[c][i][i]] += factor * cluster_mass_[c];
 }
 
+// The curvature of the body under the contact forces; the conditions themselves go into the projection.
 void Equilibrium::add_contact_tangent(const Vector& z, double s, double* values) {
   const auto multiplier = z.getData();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  active_.clear();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) {
-    const contact::NodeContact c = contact(i, s, multiplier[first + i]);
-    const int cluster = layout_.contact_nodes[i].cluster;
-    active_.push_back({layout_.dof[cluster], c.normal, c.active});
-    for (int a = 0; a < 3 && c.active; ++a)
+  std::vector<Vec3> normals(multipliers(), Vec3::Zero());
+  free_part_.assign(multipliers(), 0.0);
+  for (size_t i = 0; i < multipliers(); ++i) {
+    const contact::NodeContact c = contact(static_cast<int>(i), s, multiplier[first + i]);
+    if (!c.active) continue;
+    normals[i] = c.normal;
+    double squared = 0.0;
+    for (int a = 0; a < 3; ++a)
+      if (layout_.dof[i][a] >= 0) squared += c.normal[a] * c.normal[a];
+    free_part_[i] = std::sqrt(squared);
+    for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b)
-        if (diagonal_[cluster][a][b] >= 0) values[diagonal_[cluster][a][b]] += c.tangent(a, b);
+        if (diagonal_[i][a][b] >= 0) values[diagonal_[i][a][b]] += c.curvature(a, b);
   }
+  projection_.set(normals);
 }
 
 void Equilibrium::linearise(const Vector& z, double s) {
@@ -219,7 +254,10 @@ void Equilibrium::linearise(const Vector& z, double s) {
   std::fill_n(values, local.values.extent(0), 0.0);
   elements_.evaluate(x_, values);
   if (damping_ > 0.0) add_to_diagonal(damping_ / interval(s), values);
-  add_contact_tangent(z, s, values);
+  if (layout_.contact) {
+    add_contact_tangent(z, s, values);
+    projection_.project(*tangent_, std::abs(mean_diagonal_), *projected_);
+  }
   linear_.update(want_fresh_);
   factorise_positive();
   want_fresh_ = false;
@@ -230,11 +268,14 @@ void Equilibrium::linearise(const Vector& z, double s) {
 void Equilibrium::factorise_positive() {
   if (!linear_.is_fresh()) return;
   unshifted_pivots_ = linear_.negative_pivots();
-  double* values = tangent_->getLocalMatrixHost().values.data();
-  double shift = 1e-3 * std::abs(mean_diagonal_) / mean_mass_;
-  for (int attempt = 0; attempt < 12 && linear_.negative_pivots() > 0; ++attempt) {
-    add_to_diagonal(shift, values);
-    shift *= 4.0;
+  if (unshifted_pivots_ == 0) return;
+  double* values = projected_->getLocalMatrixHost().values.data();
+  const double least = 1e-4 * std::abs(mean_diagonal_) / mean_mass_;
+  double added = 0.0;
+  for (double shift = std::max(least, 0.25 * last_shift_); linear_.negative_pivots() > 0 && shift < 1e8 * least;
+       shift *= 4.0) {
+    add_to_diagonal(shift - added, values);
+    added = last_shift_ = shift;
     linear_.update(true);
   }
 }
@@ -242,20 +283,35 @@ void Equilibrium::factorise_positive() {
 bool Equilibrium::solve(const Vector& b, Vector& dz) {
   const RCP<const Vector> b_x = b.offsetView(layout_.dof_map, 0)->getVector(0);
   const RCP<Vector> dx = dz.offsetViewNonConst(layout_.dof_map, 0)->getVectorNonConst(0);
-  if (!linear_.solve(*b_x, *dx)) {
+  const size_t first = layout_.dof_map->getNodeNumElements();
+  const auto right = b.getData();
+  const double k = std::abs(mean_diagonal_);
+
+  // dx = d + P w with d the prescribed normal steps: P K P w = P (b - K d).
+  Vector normal_step(layout_.dof_map), rhs(*b_x, Teuchos::Copy);
+  for (size_t c = 0; c < multipliers(); ++c)
+    if (projection_.active(static_cast<int>(c)))
+      projection_.add(normal_step, static_cast<int>(c), right[first + c] / free_part(c));
+  if (layout_.contact) {
+    tangent_->apply(normal_step, rhs, Teuchos::NO_TRANS, -1.0, 1.0);
+    projection_.project(rhs);
+    rhs.update(k, normal_step, 1.0);
+  }
+  if (!linear_.solve(rhs, *dx)) {
     if (linear_.is_fresh()) return false;
     linear_.update(true);
     factorise_positive();
-    if (!linear_.solve(*b_x, *dx)) return false;
+    if (!linear_.solve(rhs, *dx)) return false;
   }
+  if (!layout_.contact) return true;
+  Vector force(layout_.dof_map);
+  tangent_->apply(*dx, force);
+  force.update(-1.0, *b_x, 1.0);
   const auto step = dz.getDataNonConst();
-  const auto right = b.getData();
-  const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < active_.size(); ++i) {
-    double normal_step = 0.0;
-    for (int d = 0; d < 3; ++d)
-      if (active_[i].dof[d] >= 0) normal_step += active_[i].normal[d] * step[active_[i].dof[d]];
-    step[first + i] = stiffness_ * (right[first + i] - (active_[i].active ? normal_step : 0.0));
+  for (size_t c = 0; c < multipliers(); ++c) {
+    step[first + c] = stiffness_ * right[first + c];
+    if (projection_.active(static_cast<int>(c)))
+      step[first + c] += projection_.component(force, static_cast<int>(c)) / free_part(c);
   }
   return true;
 }
@@ -265,12 +321,38 @@ void Equilibrium::apply(const Vector& x, Vector& y) const {
   const RCP<Vector> f = y.offsetViewNonConst(layout_.dof_map, 0)->getVectorNonConst(0);
   tangent_->apply(*dx, *f);
   const auto step = x.getData();
-  auto out = y.getDataNonConst();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < active_.size(); ++i) {
-    out[first + i] = step[first + i] / stiffness_;
-    for (int d = 0; d < 3 && active_[i].active; ++d)
-      if (active_[i].dof[d] >= 0) out[first + i] += active_[i].normal[d] * step[active_[i].dof[d]];
+  for (size_t i = 0; i < multipliers(); ++i) {
+    const int c = static_cast<int>(i);
+    double condition = step[first + i] / stiffness_;
+    if (projection_.active(c)) {
+      condition = projection_.component(*dx, c) * free_part(i);
+      projection_.add(*f, c, (stiffness_ * condition - step[first + i]) * free_part(i));
+    }
+    y.getDataNonConst()[first + i] = condition;
+  }
+}
+
+void Equilibrium::retract(Vector& z, double s) {
+  auto data = z.getDataNonConst();
+  for (size_t i = 0; i < multipliers(); ++i)
+    if (projection_.active(static_cast<int>(i))) retract_cluster(i, s, data.getRawPtr());
+}
+
+void Equilibrium::retract_cluster(size_t i, double s, double* z) {
+  constexpr int rounds = 3;            // the gap's error falls by its square
+  constexpr double tangential = 1e-6;  // squared: a normal in the held components cannot be moved along
+  const int c = static_cast<int>(i);
+  for (int round = 0; round < rounds; ++round) {
+    for (int d = 0; d < 3; ++d)
+      y_[3 * i + static_cast<size_t>(d)] = layout_.dof[c][d] >= 0 ? z[layout_.dof[c][d]] : held_position(c, d, s);
+    const contact::NodeContact at = contact(c, s, 0.0);
+    double squared = 0.0;
+    for (int d = 0; d < 3; ++d)
+      if (layout_.dof[c][d] >= 0) squared += at.normal[d] * at.normal[d];
+    if (squared < tangential) return;
+    for (int d = 0; d < 3; ++d)
+      if (layout_.dof[c][d] >= 0) z[layout_.dof[c][d]] -= at.gap * at.normal[d] / squared;
   }
 }
 
@@ -300,7 +382,10 @@ Imbalance Equilibrium::imbalance(const Vector& f) const {
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 2, mine, sums);
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, gap, Teuchos::outArg(largest));
   all.force = std::sqrt(sums[0]);
-  all.force_scale = std::sqrt(sums[1]);
+  // A garment at rest has only the forces of rounded positions: those of 1e-12 mm at every node (with the default
+  // tolerance) are no imbalance.
+  constexpr double resting = 1e-2;  // mm
+  all.force_scale = std::max(std::sqrt(sums[1]), resting * diagonal_norm_);
   all.gap = largest;
   return all;
 }
@@ -325,19 +410,24 @@ double Equilibrium::dissipation(const Vector& z, double s) {
   return damping_ / interval(s) * sum(total);
 }
 
-double Equilibrium::update_offsets(const Vector& z, double s) {
-  if (!problem_.contact.offset_by_half_thickness) return 0.0;
+double Equilibrium::update_offsets(const Vector& z, double s, double tolerance) {
+  if (!layout_.contact || !problem_.contact.offset_by_half_thickness) return 0.0;
   positions(z, s);
   const std::vector<double> thickness = elements_.nodal_thickness(x_);
-  std::vector<double> by_node(problem_.mesh->nodes(), 0.0);
-  for (size_t n = 0; n < layout_.nodes.size(); ++n) by_node[layout_.nodes[n]] = thickness[n];
+  std::vector<double> sum_of(layout_.clusters.size(), 0.0), count(layout_.clusters.size(), 0.0);
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    sum_of[layout_.node_cluster[n]] += thickness[n];
+    count[layout_.node_cluster[n]] += 1.0;
+  }
+  std::vector<double> updated(offset_.size());
   double mine = 0.0, largest = 0.0;
   for (size_t i = 0; i < offset_.size(); ++i) {
-    const double offset = 0.5 * by_node[layout_.contact_nodes[i].node];
-    mine = std::max(mine, std::abs(offset - offset_[i]));
-    offset_[i] = offset;
+    updated[i] = 0.5 * sum_of[i] / count[i];
+    mine = std::max(mine, std::abs(updated[i] - offset_[i]));
   }
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  if (largest <= tolerance) return 0.0;
+  offset_ = std::move(updated);
   want_fresh_ = true;
   return largest;
 }
@@ -345,36 +435,38 @@ double Equilibrium::update_offsets(const Vector& z, double s) {
 void Equilibrium::balance_multipliers(Vector& z, double s) {
   positions(z, s);
   const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
-  constexpr double touching = 0.1;  // mm
+  constexpr double touching = 2.0;  // mm: placed nodes this near are taken to lie on the body
   auto data = z.getDataNonConst();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) {
-    const size_t c = 3 * static_cast<size_t>(layout_.contact_nodes[i].cluster);
-    const Vec3 internal(sums.force[c], sums.force[c + 1], sums.force[c + 2]);
-    data[first + i] = contact::balancing_multiplier(contact(i, s, 0.0), internal, touching);
+  for (size_t i = 0; i < multipliers(); ++i) {
+    const Vec3 internal(sums.force[3 * i], sums.force[3 * i + 1], sums.force[3 * i + 2]);
+    data[first + i] = contact::balancing_multiplier(contact(static_cast<int>(i), s, 0.0), internal, touching);
+    if (data[first + i] > 0.0) retract_cluster(i, s, data.getRawPtr());
   }
 }
 
-State Equilibrium::state(const Vector& z, double s) const {
+State Equilibrium::state(const Vector& z, double s) {
+  positions(z, s);
   State state;
-  const size_t clusters = problem_.clusters.size(), nodes = static_cast<size_t>(problem_.mesh->nodes());
-  std::vector<double> mine(3 * clusters + 2 * nodes, 0.0), all(mine.size());
+  const size_t clusters = problem_.clusters.size();
+  std::vector<double> mine(5 * clusters, 0.0), all(mine.size());
   const auto data = z.getData();
-  for (int c = 0; c < layout_.owned_clusters; ++c)
-    for (int i = 0; i < 3; ++i) {
-      const HeldComponent& h = layout_.held[c][i];
-      mine[3 * static_cast<size_t>(layout_.clusters[c]) + i] =
-          h.held ? h.base + drive_.load(s) * h.displacement : data[layout_.dof[c][i]];
-    }
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) {
-    mine[3 * clusters + layout_.contact_nodes[i].node] = data[first + i];
-    mine[3 * clusters + nodes + layout_.contact_nodes[i].node] = offset_[i];
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const size_t global = static_cast<size_t>(layout_.clusters[c]);
+    for (int i = 0; i < 3; ++i)
+      mine[3 * global + static_cast<size_t>(i)] =
+          layout_.held[c][i].held ? held_position(c, i, s) : data[layout_.dof[c][i]];
+    if (layout_.contact) {  // what the iteration leaves on a node that hovers is round-off, not a force
+      const double multiplier = data[first + static_cast<size_t>(c)];
+      mine[3 * clusters + global] = contact(c, s, multiplier).active ? multiplier : 0.0;
+    }
+    mine[4 * clusters + global] = offset_[c];
   }
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   for (size_t c = 0; c < clusters; ++c) state.position.emplace_back(all[3 * c], all[3 * c + 1], all[3 * c + 2]);
-  state.contact_force.assign(all.begin() + 3 * clusters, all.begin() + 3 * clusters + nodes);
-  state.offset.assign(all.begin() + 3 * clusters + nodes, all.end());
+  state.contact_force.assign(all.begin() + 3 * clusters, all.begin() + 4 * clusters);
+  state.offset.assign(all.begin() + 4 * clusters, all.end());
   state.seam = drive_.seam(s);
   state.load = drive_.load(s);
   return state;
@@ -387,10 +479,8 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   std::vector<Vec3> contact_on(layout_.owned_clusters, Vec3::Zero());
   const auto data = z.getData();
   const size_t first = layout_.dof_map->getNodeNumElements();
-  for (size_t i = 0; i < layout_.contact_nodes.size(); ++i) {
-    const contact::NodeContact c = contact(i, s, data[first + i]);
-    contact_on[layout_.contact_nodes[i].cluster] += data[first + i] * c.normal;
-  }
+  for (size_t i = 0; i < multipliers(); ++i)
+    contact_on[i] = data[first + i] * contact(static_cast<int>(i), s, data[first + i]).normal;
   // Rows of three: contact, load, damping, pins, one a support; last the sum of magnitudes.
   constexpr size_t contact_row = 0, load_row = 1, damping_row = 2, pin_row = 3, support_row = 4;
   const size_t count = 3 * (support_row + problem_.supports.size()) + 1;

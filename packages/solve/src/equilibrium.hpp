@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_projection.hpp"
 #include "element_assembly.hpp"
 #include "layout.hpp"
 #include "linear_solver.hpp"
@@ -32,12 +33,11 @@ struct Imbalance {
 };
 
 /// Discrete equilibrium of one stage: residual, tangent and energy as functions of the state vector z = (free
-/// components of the clusters' positions, one multiplier per contact node) and of the stage's parameter s.
+/// components of the clusters' positions, one contact multiplier per cluster) and of the stage's parameter s.
 class Equilibrium {
  public:
   Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
-              const Drive& drive, bool seams_closed, const SolverOptions& options,
-              RCP<const Comm> comm);
+              const Drive& drive, const SolverOptions& options, RCP<const Comm> comm);
 
   const RCP<const Map>& map() const { return layout_.state_map; }
   RCP<Vector> start_vector() const { return vector_of(start_); }
@@ -49,8 +49,11 @@ class Equilibrium {
   void residual(const Vector& z, double s, Vector& f);
   /// Forms the tangent at (z, s).
   void linearise(const Vector& z, double s);
-  /// Newton step: solves the tangent's system for the right-hand side b = (b_x, b_contact). False: no solution.
+  /// Solves the tangent's system for the right-hand side b = (b_x, b_contact), the active contact conditions exactly.
+  /// False: no solution.
   bool solve(const Vector& b, Vector& dz);
+  /// Puts the clusters that were in contact at the last linearisation back onto the surface, along their normal.
+  void retract(Vector& z, double s);
   /// y = tangent times x.
   void apply(const Vector& x, Vector& y) const;
 
@@ -63,7 +66,7 @@ class Equilibrium {
   double energy_scale() const { return std::abs(strain_energy_); }
 
   Imbalance imbalance(const Vector& f) const;
-  State state(const Vector& z, double s) const;
+  State state(const Vector& z, double s);
   ForceBalance balance(const Vector& z, double s);
 
   double strain_energy() const { return strain_energy_; }
@@ -80,16 +83,23 @@ class Equilibrium {
   double mean_tangent_diagonal() const { return mean_diagonal_; }
   double mean_mass() const { return mean_mass_; }
   double dissipation(const Vector& z, double s);  ///< c sum M* |x - x_n|^2 / dt, N mm, of the step from x_n to z
-  /// Sets the contact offsets to half the present thickness; returns the largest change (mm).
-  double update_offsets(const Vector& z, double s);
-  /// Multipliers that balance the present strain forces at touching nodes.
+  /// Sets the contact offsets to half the present thickness, unless none would change by more than `tolerance` (mm).
+  /// Returns the largest change, 0 if they were left.
+  double update_offsets(const Vector& z, double s, double tolerance);
+  /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface.
   void balance_multipliers(Vector& z, double s);
 
  private:
   void positions(const Vector& z, double s);
   Vec3 cluster_position(size_t c) const;
+  double held_position(int cluster, int component, double s) const;
+  /// Length of the body's normal in the free components of a cluster in contact.
+  double free_part(size_t cluster) const { return free_part_[cluster]; }
   Vec3 separation(int node, int cluster, double s) const;
-  contact::NodeContact contact(size_t i, double s, double multiplier) const;
+  contact::NodeContact contact(int cluster, double s, double multiplier) const;
+  void find_open_seams();
+  void retract_cluster(size_t cluster, double s, double* z);
+  size_t multipliers() const { return layout_.contact ? static_cast<size_t>(layout_.owned_clusters) : 0; }
   void find_diagonal_blocks();
   void find_loads();
   void scale();
@@ -105,15 +115,17 @@ class Equilibrium {
   Drive drive_;
   Layout layout_;
   RCP<const Graph> graph_;
-  RCP<Matrix> tangent_;
+  RCP<Matrix> tangent_;    ///< of the potential with the multipliers held, without contact's stiffness
+  RCP<Matrix> projected_;  ///< on the surface in contact: what is factorised
+  ContactProjection projection_;
   ElementAssembly elements_;
   LinearSolver linear_;
   std::vector<std::array<std::array<std::int64_t, 3>, 3>> diagonal_;  ///< [owned cluster] places in the tangent or -1
   std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
 
-  std::vector<double> y_;  ///< [local cluster][3] position of the master at the last evaluation
-  std::vector<double> x_;  ///< [local node][3]
-  std::vector<double> magnitude_;  ///< [local cluster][3] N
+  std::vector<double> y_;           ///< [local cluster][3] position of the master at the last evaluation
+  std::vector<double> x_;           ///< [local node][3]
+  std::vector<double> magnitude_;   ///< [local cluster][3] N
   std::vector<double> mass_;        ///< [local node] reference area, mm^2
   std::vector<double> load_;        ///< [local cluster][3] dead load at load 1, N
   std::vector<double> x_previous_;  ///< [local node][3]
@@ -121,19 +133,18 @@ class Equilibrium {
   double smallest_interval_ = 0.1;
   double damping_ = 0.0;
   State start_;
-  std::vector<double> offset_;     ///< [contact node] mm
-  double stiffness_ = 0.0;         ///< augmentation of contact, N/mm
+  std::vector<double> offset_;  ///< [owned cluster] mm
+  double stiffness_ = 0.0;      ///< augmentation of contact, N/mm
   double mean_diagonal_ = 0.0, mean_mass_ = 0.0;
+  double diagonal_norm_ = 0.0;  ///< of the start's tangent over all free components, N/mm
   double strain_energy_ = 0.0;
   int unshifted_pivots_ = -1;
+  double last_shift_ = 0.0;
   int extrapolated_ = 0;
   bool want_fresh_ = true;
-  struct Active {
-    std::array<LocalId, 3> dof;
-    Vec3 normal;
-    bool active;
-  };
-  std::vector<Active> active_;  ///< [contact node] at the last linearisation
+  std::vector<double> free_part_;      ///< [owned cluster]
+  std::vector<Vec3> mean_separation_;  ///< [owned cluster] of the placed nodes from their master, mm
+  std::vector<double> placed_depth_;   ///< [owned cluster] depth of that mean inside the body when placed, mm <= 0
 };
 
 }  // namespace toile::solve

@@ -71,17 +71,19 @@ RCP<NOX::Abstract::Group> EquilibriumGroup::clone(NOX::CopyType type) const {
   return rcp(new EquilibriumGroup(*this, type));
 }
 
-void EquilibriumGroup::invalidate() { has_f_ = has_jacobian_ = has_newton_ = false; }
+void EquilibriumGroup::invalidate() {
+  has_f_ = has_jacobian_ = has_newton_ = false;
+}
 
 void EquilibriumGroup::setX(const NOX::Abstract::Vector& y) {
   invalidate();
   *x_ = y;
 }
 
-void EquilibriumGroup::computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction,
-                                double step) {
+void EquilibriumGroup::computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction, double step) {
   invalidate();
   x_->update(1.0, from.getX(), step, direction);
+  equilibrium_->retract(tpetra(*x_), parameter());
 }
 
 NOX::Abstract::Group::ReturnType EquilibriumGroup::computeF() {

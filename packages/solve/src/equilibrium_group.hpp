@@ -13,7 +13,7 @@ namespace toile::solve {
 
 /// What the stage wants to know of LOCA's progress.
 struct StepHooks {
-  std::function<void(const Vector& z, double s)> before;                   ///< a step starts from z
+  std::function<void(const Vector& z, double s)> before;                 ///< a step starts from z
   std::function<void(const Vector& z, double s, bool converged)> after;  ///< a step ended at z
 };
 

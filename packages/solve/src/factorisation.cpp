@@ -74,7 +74,9 @@ Factorisation::Factorisation(const Matrix& matrix) : data_(std::make_unique<Data
   d.mumps.rhs = d.rhs.data();
 }
 
-Factorisation::~Factorisation() { data_->call(terminate); }
+Factorisation::~Factorisation() {
+  data_->call(terminate);
+}
 
 bool Factorisation::factorise(const Matrix& matrix) {
   Data& d = *data_;
@@ -90,7 +92,9 @@ bool Factorisation::factorise(const Matrix& matrix) {
   return d.ready;
 }
 
-int Factorisation::negative_pivots() const { return data_->mumps.infog[11]; }
+int Factorisation::negative_pivots() const {
+  return data_->mumps.infog[11];
+}
 
 void Factorisation::solve(const MultiVector& b, MultiVector& x) const {
   Data& d = *data_;
@@ -100,8 +104,8 @@ void Factorisation::solve(const MultiVector& b, MultiVector& x) const {
     MPI_Gatherv(b.getData(column).getRawPtr(), mine, MPI_DOUBLE, d.rhs.data(), d.counts.data(), d.offsets.data(),
                 MPI_DOUBLE, 0, d.comm);
     d.call(back_substitute);
-    MPI_Scatterv(d.rhs.data(), d.counts.data(), d.offsets.data(), MPI_DOUBLE,
-                 x.getDataNonConst(column).getRawPtr(), mine, MPI_DOUBLE, 0, d.comm);
+    MPI_Scatterv(d.rhs.data(), d.counts.data(), d.offsets.data(), MPI_DOUBLE, x.getDataNonConst(column).getRawPtr(),
+                 mine, MPI_DOUBLE, 0, d.comm);
   }
 }
 

@@ -115,19 +115,13 @@ void add_block(const Problem& problem, size_t b, Fields& out) {
 }
 
 void add_contact(const Problem& problem, const State& state, Fields& out) {
-  for (const std::vector<int>& members : problem.clusters) {
-    double force = 0.0, area = 0.0;
-    for (const int n : members) {
-      force += state.contact_force[n];
-      area += out.area[n];
-    }
-    for (const int n : members) {
+  for (size_t c = 0; c < problem.clusters.size(); ++c) {
+    double area = 0.0;
+    for (const int n : problem.clusters[c]) area += out.area[n];
+    for (const int n : problem.clusters[c]) {
       const body::SurfacePoint p = problem.surface->closest(out.position[n]);
-      // A closed seam carries one pressure; while it is open, every edge has its own.
-      const bool closed = state.seam >= 1.0;
-      out.pressure[n] =
-          closed ? contact::pressure(force, area) : contact::pressure(state.contact_force[n], out.area[n]);
-      out.gap[n] = p.gap - state.offset[closed ? members.front() : n];
+      out.pressure[n] = contact::pressure(state.contact_force[c], area);
+      out.gap[n] = p.gap - state.offset[c];
       out.normal[n] = p.normal;
     }
   }
@@ -136,10 +130,10 @@ void add_contact(const Problem& problem, const State& state, Fields& out) {
 }  // namespace
 
 const std::vector<std::string>& element_field_names() {
-  static const std::vector<std::string> names = {
-      "stretch_wale",  "stretch_course", "stretch_major", "stretch_minor", "stress_wale",
-      "stress_course", "stress_shear",   "cauchy_major",  "cauchy_minor",  "tension_wale",
-      "tension_course", "energy_density", "thickness",     "extrapolated"};
+  static const std::vector<std::string> names = {"stretch_wale", "stretch_course", "stretch_major",  "stretch_minor",
+                                                 "stress_wale",  "stress_course",  "stress_shear",   "cauchy_major",
+                                                 "cauchy_minor", "tension_wale",   "tension_course", "energy_density",
+                                                 "thickness",    "extrapolated"};
   return names;
 }
 

@@ -17,14 +17,13 @@ std::vector<int> clusters_of_nodes(const Problem& problem) {
 
 }  // namespace
 
-Layout::Layout(const Problem& problem, std::vector<std::array<HeldComponent, 3>> all_held, bool seams_closed,
+Layout::Layout(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held,
                RCP<const Comm> communicator)
-    : comm(std::move(communicator)) {
+    : comm(std::move(communicator)), contact(problem.surface != nullptr) {
   find_local(problem);
   number(problem, all_held);
-  if (problem.surface != nullptr) find_contact_nodes(problem, seams_closed);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const size_t local = dof_map->getNodeNumElements() + contact_nodes.size();
+  const size_t local = dof_map->getNodeNumElements() + (contact ? static_cast<size_t>(owned_clusters) : 0);
   state_map = rcp(new Map(unknown, local, 0, comm));
 }
 
@@ -100,14 +99,6 @@ void Layout::number(const Problem& problem, const std::vector<std::array<HeldCom
   dof_map = rcp(new Map(unknown, view(0, owned), 0, comm));
   overlap_map = rcp(new Map(unknown, view, 0, comm));
   importer = rcp(new Import(dof_map, overlap_map));
-}
-
-void Layout::find_contact_nodes(const Problem& problem, bool seams_closed) {
-  for (int c = 0; c < owned_clusters; ++c) {
-    const std::vector<int>& members = problem.clusters[clusters[c]];
-    const size_t count = seams_closed ? 1 : members.size();
-    for (size_t m = 0; m < count; ++m) contact_nodes.push_back({members[m], c});
-  }
 }
 
 RCP<const Graph> make_graph(const Layout& layout) {

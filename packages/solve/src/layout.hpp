@@ -16,28 +16,22 @@ struct HeldComponent {
   int support = -1;           ///< index into Problem::supports; -1: held against a null motion
 };
 
-/// One node at which contact is evaluated.
-struct ContactNode {
-  int node;     ///< global node id
-  int cluster;  ///< local cluster (owned)
-};
-
 /// Distribution of one stage over the ranks: owned and ghost clusters, local elements, numbering of the unknowns.
 ///
 /// A rank evaluates every element that touches a cluster of its own, so rows are complete without an export of matrix
 /// entries; an element counts in sums only on the rank that owns it.
 /// Local order: owned clusters first, then ghosts. Unknowns are the free components of the clusters' positions
-/// (`dof_map`, `overlap_map`); `state_map` appends one contact multiplier per owned contact node.
+/// (`dof_map`, `overlap_map`); with a body, `state_map` appends one contact multiplier per owned cluster.
 class Layout {
  public:
   struct BlockPart {
-    int block;                       ///< in the mesh
-    std::vector<int> elements;       ///< ids in the block, ascending
-    std::vector<char> owned;         ///< [local element]
-    std::vector<int> nodes;          ///< [local element][node] local node
+    int block;                  ///< in the mesh
+    std::vector<int> elements;  ///< ids in the block, ascending
+    std::vector<char> owned;    ///< [local element]
+    std::vector<int> nodes;     ///< [local element][node] local node
   };
 
-  Layout(const Problem& problem, std::vector<std::array<HeldComponent, 3>> held, bool seams_closed, RCP<const Comm> comm);
+  Layout(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& held, RCP<const Comm> comm);
 
   RCP<const Comm> comm;
   std::vector<int> clusters;  ///< local -> global cluster
@@ -45,16 +39,15 @@ class Layout {
   std::vector<int> nodes;         ///< local -> global node
   std::vector<int> node_cluster;  ///< local node -> local cluster
   std::vector<BlockPart> blocks;
-  std::vector<std::array<HeldComponent, 3>> held;   ///< [local cluster]
-  std::vector<std::array<LocalId, 3>> dof;          ///< [local cluster] local (overlap) dof or -1
-  std::vector<ContactNode> contact_nodes;           ///< owned
+  std::vector<std::array<HeldComponent, 3>> held;  ///< [local cluster]
+  std::vector<std::array<LocalId, 3>> dof;         ///< [local cluster] local (overlap) dof or -1
+  bool contact = false;                            ///< there is a body
   RCP<const Map> dof_map, overlap_map, state_map;
   RCP<const Import> importer;  ///< dof_map -> overlap_map
 
  private:
   void find_local(const Problem& problem);
   void number(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held);
-  void find_contact_nodes(const Problem& problem, bool seams_closed);
 };
 
 /// Sparsity of the displacement tangent: every pair of clusters that share an element.

@@ -118,9 +118,17 @@ bool LinearSolver::solve(const Vector& b, Vector& x) {
   return std::isfinite(x.norm2());
 }
 
-bool LinearSolver::is_fresh() const { return data_->fresh; }
-int LinearSolver::negative_pivots() const { return data_->factorisation.negative_pivots(); }
-int LinearSolver::iterations() const { return data_->iterations; }
-int LinearSolver::factorisations() const { return data_->factorisations; }
+bool LinearSolver::is_fresh() const {
+  return data_->fresh;
+}
+int LinearSolver::negative_pivots() const {
+  return data_->factorisation.negative_pivots();
+}
+int LinearSolver::iterations() const {
+  return data_->iterations;
+}
+int LinearSolver::factorisations() const {
+  return data_->factorisations;
+}
 
 }  // namespace toile::solve

@@ -42,7 +42,7 @@ class LinearSolver {
   bool is_fresh() const;
   /// Of the last factorisation; the tangent's own only if it is fresh.
   int negative_pivots() const;
-  int iterations() const;       ///< Belos iterations so far
+  int iterations() const;      ///< Belos iterations so far
   int factorisations() const;  ///< so far
 
  private:

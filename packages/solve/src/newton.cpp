@@ -49,15 +49,14 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
   const Vector& z = EquilibriumGroup::tpetra(old_group.getX());
   const double s = old_group.parameter();
   const double old_energy = equilibrium.energy(z, z, s);
-  const double slope = equilibrium.force_slope(EquilibriumGroup::tpetra(old_group.getF()),
-                                               EquilibriumGroup::tpetra(unwrap(direction)));
+  const double slope =
+      equilibrium.force_slope(EquilibriumGroup::tpetra(old_group.getF()), EquilibriumGroup::tpetra(unwrap(direction)));
   step = 1.0;
   for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
     next.computeX(previous, direction, step);
     if (next.computeF() != NOX::Abstract::Group::Ok) continue;
     const EquilibriumGroup& new_group = unwrap(next);
-    const double new_energy =
-        equilibrium.energy(EquilibriumGroup::tpetra(new_group.getX()), z, new_group.parameter());
+    const double new_energy = equilibrium.energy(EquilibriumGroup::tpetra(new_group.getX()), z, new_group.parameter());
     if (!std::isfinite(new_energy) || !std::isfinite(new_group.getNormF())) continue;
     const double noise = round_off * std::max(std::abs(old_energy), equilibrium.energy_scale());
     if (new_energy <= old_energy + armijo * step * std::min(slope, 0.0) + noise) return true;

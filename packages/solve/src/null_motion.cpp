@@ -8,8 +8,8 @@ namespace toile::solve {
 
 namespace {
 
-using Motion = Eigen::Matrix<double, 6, 1>;            // translation t, rotation w about `centre`: r = t + w x (x - centre)
-using Generator = Eigen::Matrix<double, 3, 6>;         // r at one point, per component of the motion
+using Motion = Eigen::Matrix<double, 6, 1>;     // translation t, rotation w about `centre`: r = t + w x (x - centre)
+using Generator = Eigen::Matrix<double, 3, 6>;  // r at one point, per component of the motion
 
 Generator generator(const Vec3& x, const Vec3& centre, double length) {
   Generator g;
@@ -31,7 +31,10 @@ std::string name_of(const Motion& motion, const Vec3& centre, double length) {
   const Vec3 t = motion.head<3>(), w = motion.tail<3>() / length;
   if (w.norm() * length < 1e-3 * t.norm()) return "translation along " + vector_text(t.normalized());
   const Vec3 through = centre + w.cross(t) / w.squaredNorm();
-  return "rotation about the axis " + vector_text(w.normalized()) + " through " + vector_text(through);
+  Eigen::Index largest = 0;
+  w.cwiseAbs().maxCoeff(&largest);
+  return "rotation about the axis " + vector_text(w.normalized() * (w[largest] < 0.0 ? -1.0 : 1.0)) + " through " +
+         vector_text(through);
 }
 
 }  // namespace
@@ -54,15 +57,14 @@ std::vector<NullMotion> find_null_motions(const Problem& problem, const State& s
       if (held[c][i].held) resistance += g.row(i).transpose() * g.row(i);
     if (problem.surface != nullptr) {
       const body::SurfacePoint p = problem.surface->closest(x);
-      const int master = problem.clusters[c].front();
-      if (p.found && std::abs(p.gap - state.offset[master]) < touching) {
+      if (p.found && std::abs(p.gap - state.offset[c]) < touching) {
         const Motion normal = g.transpose() * p.normal;
         resistance += normal * normal.transpose();
       }
     }
     for (size_t m = 1; m < problem.clusters[c].size() && !seams_closed; ++m) {
-      const Generator apart = generator(node_position(problem, state, static_cast<int>(c), problem.clusters[c][m]),
-                                        centre, length) - g;
+      const Generator apart =
+          generator(node_position(problem, state, static_cast<int>(c), problem.clusters[c][m]), centre, length) - g;
       resistance += apart.transpose() * apart;
     }
   }

@@ -4,8 +4,8 @@
 #include <LOCA_Parameter_SublistParser.H>
 #include <LOCA_Stepper.H>
 #include <NOX_Solver_Factory.H>
-#include <Tpetra_Core.hpp>
 #include <cblas.h>
+#include <Tpetra_Core.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -49,15 +49,6 @@ std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem
   return held;
 }
 
-/// A closed seam carries its contact force on the master.
-void collapse_contact(const Problem& problem, State& state) {
-  for (const std::vector<int>& members : problem.clusters)
-    for (size_t m = 1; m < members.size(); ++m) {
-      state.contact_force[members[0]] += state.contact_force[members[m]];
-      state.contact_force[members[m]] = 0.0;
-    }
-}
-
 }  // namespace
 
 struct Simulation::Data {
@@ -82,7 +73,6 @@ struct Simulation::Data {
   Data(const Problem& p, const SolverOptions& o)
       : problem(p), options(o), comm(Tpetra::getDefaultComm()), state(placed_state(p)) {}
 
-  bool seams_closed() const { return state.seam >= 1.0; }
   void build();
   void accept(double s, const Imbalance& imbalance, bool undamped);
   bool solve(double s);
@@ -99,22 +89,31 @@ Simulation::Simulation(const Problem& problem, const SolverOptions& options)
   openblas_set_num_threads(1);  // threads inside MPI or OpenMP make the factorisation many times slower
 }
 Simulation::~Simulation() = default;
-void Simulation::observe(Observer observer) { data_->observer = std::move(observer); }
-void Simulation::set_start(const State& state) { data_->state = state; }
+void Simulation::observe(Observer observer) {
+  data_->observer = std::move(observer);
+}
+void Simulation::set_start(const State& state) {
+  data_->state = state;
+}
 void Simulation::set_state(const State& state) {
   data_->state = state;
   data_->started = true;
 }
-const State& Simulation::state() const { return data_->state; }
-const SolveStatistics& Simulation::statistics() const { return data_->statistics; }
-const std::vector<std::string>& Simulation::notes() const { return data_->notes; }
+const State& Simulation::state() const {
+  return data_->state;
+}
+const SolveStatistics& Simulation::statistics() const {
+  return data_->statistics;
+}
+const std::vector<std::string>& Simulation::notes() const {
+  return data_->notes;
+}
 
 void Simulation::Data::build() {
   released.insert(stage.released.begin(), stage.released.end());
   Drive drive{state.seam, state.seam, state.load, state.load};
   if (stage.type == StageType::sew) drive.seam_end = stage.target;
   if (stage.type == StageType::load) drive.load_end = stage.target;
-  if (seams_closed()) collapse_contact(problem, state);
   const bool closed_at_end = drive.seam_end >= 1.0;
   auto held = held_components(problem, released);
   for (const NullMotion& motion : find_null_motions(problem, state, held, closed_at_end)) {
@@ -122,10 +121,9 @@ void Simulation::Data::build() {
     notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
                     "; one component of one node is held against it");
   }
-  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), drive,
-                                              seams_closed(), options, comm);
+  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), drive, options, comm);
   z = equilibrium->start_vector();
-  equilibrium->update_offsets(*z, 0.0);
+  equilibrium->update_offsets(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
   equilibrium->set_first_step(stage.first_step);
@@ -135,7 +133,8 @@ void Simulation::Data::build() {
   statistics.contact_stiffness = equilibrium->contact_stiffness();
 }
 
-// DESIGN "Stabilisation": the damping diagonal is 1e-4 of the mean tangent diagonal until there is an energy to measure.
+// DESIGN "Stabilisation": the damping diagonal is 1e-4 of the mean tangent diagonal until there is an energy to
+// measure.
 double Simulation::Data::first_damping() const {
   return 1e-4 * std::abs(equilibrium->mean_tangent_diagonal()) / equilibrium->mean_mass() * stage.first_step;
 }
@@ -190,7 +189,8 @@ bool Simulation::Data::solve(double s) {
   const bool converged = solver->solve() == NOX::StatusTest::Converged;
   iterations += test->iterations();
   statistics.newton_iterations += test->iterations();
-  if (converged) z = rcp(new Vector(EquilibriumGroup::tpetra(unwrap(solver->getSolutionGroup()).getX()), Teuchos::Copy));
+  if (converged)
+    z = rcp(new Vector(EquilibriumGroup::tpetra(unwrap(solver->getSolutionGroup()).getX()), Teuchos::Copy));
   LOCA::destroyGlobalData(global);
   return converged;
 }
@@ -202,22 +202,24 @@ bool Simulation::Data::finish() {
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
     if (!solve(1.0)) return false;
-    if (equilibrium->update_offsets(*z, 1.0) < same_offset) return true;
+    if (equilibrium->update_offsets(*z, 1.0, same_offset) == 0.0) return true;
+    equilibrium->retract(*z, 1.0);
   }
   return false;
 }
 
-// Damped steps at fixed load, each from where the last one ended, with the damping fading by tens.
+// Damped steps at fixed load, each from where the last one ended: the damping fades by tens, and grows by a hundred
+// where a step fails.
 bool Simulation::Data::relax() {
-  double coefficient = first_damping() * 100.0;
-  for (int k = 0; k < 8; ++k, coefficient *= 0.1) {
+  constexpr int most_steps = 40;
+  const double last = 1e-6 * first_damping();
+  double coefficient = 100.0 * first_damping();
+  for (int k = 0; k < most_steps && coefficient > last; ++k) {
     equilibrium->set_damping(coefficient);
     equilibrium->start_step(*z, 1.0);
-    if (!solve(1.0)) {
-      coefficient *= 100.0;
-      continue;
-    }
-    dissipated += equilibrium->dissipation(*z, 1.0);
+    const bool converged = solve(1.0);
+    if (converged) dissipated += equilibrium->dissipation(*z, 1.0);
+    coefficient *= converged ? 0.1 : 100.0;
   }
   equilibrium->start_step(*z, 1.0);
   return finish();
@@ -259,6 +261,7 @@ LOCA::Abstract::Iterator::IteratorStatus Simulation::Data::run_stepper() {
     }
     z = rcp(new Vector(at, Teuchos::Copy));
     accept(s, test->last(), false);
+    equilibrium->update_offsets(*z, s, 0.0);
   };
   const RCP<EquilibriumGroup> group = rcp(new EquilibriumGroup(global, equilibrium, *z, 0.0, hooks));
   LOCA::Stepper run(global, group, test, top);
@@ -271,11 +274,14 @@ void Simulation::Data::march() {
   if (stage.damping.active) equilibrium->set_damping(first_damping());
   if (run_stepper() == LOCA::Abstract::Iterator::Finished) return;
   std::ostringstream message;
-  message << "stage \"" << stage.name << "\" could not reach its end: it stopped at " << state.seam * 100.0
-          << " % of the seams' closing and load " << state.load << ", after " << cut_backs
-          << " cut-backs at that point (smallest step " << stage.smallest_step << ", at most " << stage.max_steps
-          << " steps). The last converged state was kept. Try a smaller \"first step\", damping, or a start nearer to "
-             "the end.";
+  message << "stage \"" << stage.name << "\" could not reach its end: it stopped at ";
+  if (stage.type == StageType::sew)
+    message << state.seam * 100.0 << " % of the seams' closing";
+  else
+    message << "load " << state.load << " of " << stage.target;
+  message << ", after " << cut_backs << " cut-backs at that point (\"smallest step\" " << stage.smallest_step
+          << ", \"most steps\" " << stage.max_steps
+          << "). Try a smaller \"smallest step\" or more steps, damping, or a start nearer to the end.";
   throw base::SolveError(message.str());
 }
 
@@ -298,7 +304,8 @@ void Simulation::run(const StageOptions& stage) {
   d.statistics.linear_iterations += d.equilibrium->linear().iterations();
   d.statistics.factorisations += d.equilibrium->linear().factorisations();
   if (d.state.seam > 0.0 && d.dissipated > stage.damping.limit * d.largest_energy)
-    d.notes.push_back("stage \"" + stage.name + "\": the damping dissipated more than the limit; its path was not "
+    d.notes.push_back("stage \"" + stage.name +
+                      "\": the damping dissipated more than the limit; its path was not "
                       "quasi-static (the final state is undamped)");
 }
 

@@ -11,24 +11,26 @@ using base::Range;
 using base::Spec;
 
 Spec stage_common(const std::string& name, const std::string& text) {
-  return Spec(name, text).words("release", "Names of supports that end with the start of this stage", base::Texts{});
+  return Spec(name, text).words("release", "Names of supports that end with the start of this stage.", base::Texts{});
 }
 
 Spec& add_steps(Spec& spec) {
   return spec
-      .real("first step", "", "First step of the continuation, as a share of the whole stage", 0.1,
+      .real("first step", "", "First step of the continuation, as a share of the whole stage.", 0.1,
             {0.0, 1.0, true, false})
-      .real("smallest step", "", "A step that would have to be smaller ends the run", 1e-4, {0.0, 1.0, true, false})
-      .real("largest step", "", "Largest step of the continuation", 0.5, {0.0, 1.0, true, false})
-      .integer("most steps", "Number of steps after which the run ends", 200, Range::at_least(1));
+      .real("smallest step", "", "Smallest step; if it fails as well, the run ends.", 1e-4, {0.0, 1.0, true, false})
+      .real("largest step", "", "Largest step of the continuation.", 0.5, {0.0, 1.0, true, false})
+      .integer("most steps", "Number of steps after which the run ends.", 200, Range::at_least(1));
 }
 
 Spec damping_spec() {
   return Spec("Damping",
               "Artificial viscous damping of the stage (left out: none). It is zero in the stage's final state.")
-      .real("fraction", "", "Energy that the first step dissipates over its strain energy", 2e-4, Range::positive())
-      .real("limit", "", "Accumulated dissipation over the largest strain energy above which the path is reported as "
-                         "not quasi-static", 0.05, Range::positive());
+      .real("fraction", "", "Energy that the first step dissipates over its strain energy.", 2e-4, Range::positive())
+      .real("limit", "",
+            "Accumulated dissipation over the largest strain energy above which the path is reported as "
+            "not quasi-static.",
+            0.05, Range::positive());
 }
 
 /// Nodes of an edge "panel.side" or of a whole panel.
@@ -61,15 +63,15 @@ Vec3 vector_of(const List& list, const std::string& name) {
 }  // namespace
 
 Spec stages_spec() {
-  Spec sew = stage_common("sew", "Closes the seams by continuation in the separation of their nodes");
-  Spec load = stage_common("load", "Moves the supports and applies the loads by continuation");
-  load.real("target", "", "Load factor at the end of the stage", 1.0);
+  Spec sew = stage_common("sew", "Closes the seams step by step.");
+  Spec load = stage_common("load", "Moves the supports and applies the loads step by step.");
+  load.real("target", "", "Load factor at the end of the stage; 1: the full displacements and loads.", 1.0);
   for (Spec* spec : {&sew, &load}) add_steps(*spec).list(damping_spec());
-  Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads");
+  Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads.");
   settle.list(damping_spec());
-  Spec stage("stage", "One stage of the run");
-  stage.variant("type", "What happens in the stage", {sew, load, settle});
-  return Spec("Stages", "What happens to the garment, in this order").entries(stage, 1);
+  Spec stage("stage", "One stage of the run.");
+  stage.variant("type", "What happens in the stage.", {sew, load, settle});
+  return Spec("Stages", "What happens to the garment, in this order.").entries(stage, 1);
 }
 
 std::vector<StageOptions> read_stages(const List& list) {
@@ -99,16 +101,16 @@ std::vector<StageOptions> read_stages(const List& list) {
 }
 
 Spec solver_spec() {
-  return Spec("Solver", "How the equations are solved; the defaults suit most scenes")
+  return Spec("Solver", "How the equations are solved; the defaults suit most scenes.")
       .choice("linear solver",
               "cg or gmres: iteration (Belos) preconditioned by a kept sparse factorisation; direct: factorisation of "
-              "every tangent",
+              "every tangent.",
               {"cg", "gmres", "direct"}, std::string("cg"))
-      .real("linear tolerance", "", "Relative residual of the linear iteration", 1e-10, {0.0, 1.0, true, true})
-      .integer("kept iterations", "A kept factorisation that needs more iterations is renewed", 12, Range::at_least(1))
-      .real("tolerance", "", "Force residual over the nodal forces that meet in it", 1e-10, {0.0, 1.0, true, true})
-      .real("gap tolerance", "mm", "Largest gap of a node in contact", 1e-6, Range::positive())
-      .integer("most iterations", "Newton iterations of a step before it is cut back", 60, Range::at_least(1));
+      .real("linear tolerance", "", "Relative residual of the linear iteration.", 1e-10, {0.0, 1.0, true, true})
+      .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
+      .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})
+      .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
+      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1));
 }
 
 SolverOptions read_solver(const List& list) {
@@ -123,12 +125,14 @@ SolverOptions read_solver(const List& list) {
 }
 
 Spec contact_spec() {
-  return Spec("Contact", "Frictionless contact of the garment with the body")
+  return Spec("Contact",
+              "Frictionless contact of the garment with the body; left out, a scene with a body has it with the "
+              "defaults.")
       .choice("contact surface",
-              "inner face: half the current thickness inside the mid-surface; mid-surface: as membrane theory has it",
+              "inner face: half the current thickness inside the mid-surface; mid-surface: as membrane theory has it.",
               {"inner face", "mid-surface"}, std::string("inner face"))
       .real("relative stiffness", "",
-            "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result", 100.0,
+            "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result.", 1.0,
             Range::positive());
 }
 
@@ -137,11 +141,11 @@ ContactOptions read_contact(const List& list) {
 }
 
 Spec supports_spec() {
-  Spec support("support", "Nodes that are held in some directions");
-  support.words("on", "Edges (\"front.top\") or panels (\"front\")")
-      .choice("hold", "Directions that are held", {"x", "y", "z", "xy", "xz", "yz", "xyz"})
-      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z)", base::Reals{0.0, 0.0, 0.0});
-  return Spec("Supports", "Where the garment is held").entries(support);
+  Spec support("support", "Nodes that are held in some directions.");
+  support.words("on", "Names of edges (for instance front.top) or of whole panels (front).")
+      .choice("hold", "Directions that are held.", {"x", "y", "z", "xy", "xz", "yz", "xyz"})
+      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0});
+  return Spec("Supports", "Where the garment is held.").entries(support);
 }
 
 std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
@@ -156,16 +160,19 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
     const std::string& hold = entry.word("hold");
     for (int i = 0; i < 3; ++i) s.held[i] = hold.find("xyz"[i]) != std::string::npos;
     s.displacement = vector_of(entry, "move by");
+    for (int i = 0; i < 3; ++i)
+      if (s.displacement[i] != 0.0 && !s.held[i])
+        entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
     supports.push_back(s);
   }
   return supports;
 }
 
 Spec loads_spec() {
-  Spec load("load", "Dead load along an edge");
-  load.word("on", "Edge, for instance \"front.top\"")
-      .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z)");
-  return Spec("Loads", "Forces on the garment").entries(load);
+  Spec load("load", "Force along an edge that keeps its direction.");
+  load.word("on", "Name of an edge, for instance front.top.")
+      .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z).");
+  return Spec("Loads", "Forces on the garment.").entries(load);
 }
 
 std::vector<EdgeLoad> read_loads(const List& list, const mesh::Mesh& mesh) {

@@ -13,8 +13,8 @@ State placed_state(const Problem& problem) {
   State state;
   for (const std::vector<int>& members : problem.clusters)
     state.position.push_back(problem.mesh->placed[members.front()]);
-  state.contact_force.assign(problem.mesh->nodes(), 0.0);
-  state.offset.assign(problem.mesh->nodes(), 0.0);
+  state.contact_force.assign(problem.clusters.size(), 0.0);
+  state.offset.assign(problem.clusters.size(), 0.0);
   return state;
 }
 

@@ -120,8 +120,10 @@ class List {
   bool given(const std::string& name) const;  ///< written in the file, not filled in by default
 
   const std::string& name() const;
-  std::string path() const;  ///< "scene > Panels > front"
-  const std::string& file() const;
+  std::string path() const;         ///< "scene > Panels > front"
+  const std::string& file() const;  ///< that wrote this list; the last one if several did
+  /// The file that wrote a parameter (see read_xml); the list's if it has its default. Paths count from its folder.
+  const std::string& file(const std::string& parameter) const;
 
   /// Throws InputError that names file, list, parameter, what was found and `problem` (what is allowed).
   [[noreturn]] void fail(const std::string& parameter, const std::string& problem) const;
@@ -134,12 +136,18 @@ class List {
 };
 
 /// Reads a Teuchos XML file and validates it against `spec`, recursively, before anything is built.
+/// The outermost list may name other files in the parameter "include" (see include_parameter), which are merged first.
 /// Throws InputError: missing file; XML error with its line; else one line for every problem, of the form
 ///   `leg.xml: scene > Panels > front: unknown parameter "widht"; did you mean "width"? Valid here: height, width`
 /// First what cannot be read at all (a word where a number stands, an unknown type, a name given twice); if there is
 /// none, every unknown name, wrong type, value out of range, unknown choice, missing parameter and missing list.
 /// Where a variant's selector is missing or wrong, names that are valid in one of its variants are not complained of.
 List read_xml(const std::string& file, const Spec& spec);
+
+/// Declares "include" in the description of a whole file: files whose lists are read first and merged, so that a
+/// variant of a scene holds only its difference. What a file says goes before what it includes, a later included file
+/// before an earlier one; a list with "replace" = true takes the place of the included list of its name.
+Parameter include_parameter();
 
 /// Same for a list that is already in memory; `file` is only named in messages.
 List validate(const Teuchos::ParameterList& list, const Spec& spec, const std::string& file);

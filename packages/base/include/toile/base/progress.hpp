@@ -13,8 +13,9 @@ struct ProgressPoint {
   int step = 0;            ///< counted over the run
   double parameter = 0.0;  ///< of the stage, 0..1
   double load = 0.0;
-  int iterations = 0;    ///< of this step
-  double seconds = 0.0;  ///< since the start of the run
+  int iterations = 0;        ///< of this step
+  double seconds = 0.0;      ///< since the start of the run
+  bool final_state = false;  ///< the equilibrium that ends the stage
 };
 
 /// Time that is left, s: what the run took so far, extended at the same speed in the stages' parameters. Empty while

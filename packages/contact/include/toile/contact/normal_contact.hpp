@@ -15,14 +15,14 @@ using Mat3 = Eigen::Matrix3d;
 /// At convergence multiplier = trial force and the gap is zero (in contact) or the multiplier is zero (free), whatever
 /// the stiffness: it steers the iteration and does not enter the result.
 struct NodeContact {
-  bool active = false;      ///< trial force > 0
-  double gap = 0.0;         ///< mm, from the contact surface of the fabric (the offset is taken off)
-  double trial_force = 0.0; ///< N
+  bool active = false;       ///< trial force > 0
+  double gap = 0.0;          ///< mm, from the contact surface of the fabric (the offset is taken off)
+  double trial_force = 0.0;  ///< N
   Vec3 normal = Vec3::Zero();
-  double energy = 0.0;        ///< (trial_force^2 - multiplier^2) / (2 stiffness), N mm
-  Vec3 residual = Vec3::Zero();  ///< gradient of the energy: -trial_force * normal, N
-  Mat3 tangent = Mat3::Zero();   ///< stiffness n n^T - trial_force * Hessian(gap), N/mm
-  double complementarity = 0.0;  ///< (multiplier - trial_force) / stiffness: the gap in contact, mm
+  double energy = 0.0;            ///< (trial_force^2 - multiplier^2) / (2 stiffness), N mm
+  Vec3 residual = Vec3::Zero();   ///< gradient of the energy: -trial_force * normal, N
+  Mat3 curvature = Mat3::Zero();  ///< -trial_force * Hessian(gap), N/mm; the energy's Hessian adds stiffness n n^T
+  double complementarity = 0.0;   ///< (multiplier - trial_force) / stiffness: the gap in contact, mm
 };
 
 /// Contact of the node at `x` whose contact surface lies `offset` (mm) inside the mid-surface.

@@ -25,7 +25,7 @@ inline constexpr std::array<double, n_params> t_shirt = t_shirt_set(true);
 inline constexpr std::array<double, n_params> t_shirt_as_printed = t_shirt_set(false);
 
 inline constexpr ParamInfo modulus(const char* name) {
-  return {name, "MPa", "modulus mu_r of term r (the name's last digit)", no_default, 0.0, infinity, 1};
+  return {name, "MPa", "Modulus mu_r of term r (the name's last digit).", no_default, 0.0, infinity, 1};
 }
 inline constexpr ParamInfo exponent(const char* name, const char* text) {
   return {name, "", text, no_default, 1.0, infinity, 0};
@@ -33,16 +33,16 @@ inline constexpr ParamInfo exponent(const char* name, const char* text) {
 inline constexpr ParamInfo weight(const char* name, const char* text) {
   return {name, "", text, no_default, 0.0, 1.0, 0};
 }
-inline constexpr const char* j_text = "exponent alpha_r of J_r = tr(C M_r)";
-inline constexpr const char* k_text = "exponent beta_r of K_r = tr(cof(C) M_r)";
-inline constexpr const char* w1_text = "weight of the wale in M_r";
-inline constexpr const char* w2_text = "weight of the course in M_r; that of the thickness is w_3 = 1 - w_1 - w_2";
+inline constexpr const char* j_text = "Exponent alpha_r of J_r = tr(C M_r).";
+inline constexpr const char* k_text = "Exponent beta_r of K_r = tr(cof(C) M_r).";
+inline constexpr const char* w1_text = "Weight of the wale in M_r.";
+inline constexpr const char* w2_text = "Weight of the course in M_r; that of the thickness is w_3 = 1 - w_1 - w_2.";
 
 struct Law {
   static constexpr const char* name = "itskov";
   static constexpr const char* text =
       "Polyconvex orthotropic incompressible model with three terms: "
-      "W = 1/4 sum_r mu_r [(J_r^alpha_r - 1)/alpha_r + (K_r^beta_r - 1)/beta_r]";
+      "W = 1/4 sum_r mu_r [(J_r^alpha_r - 1)/alpha_r + (K_r^beta_r - 1)/beta_r].";
   static constexpr std::array<ParamInfo, n_params> info = {
       {modulus("mu1"),
        exponent("alpha1", j_text),
@@ -59,9 +59,10 @@ struct Law {
        exponent("beta3", k_text),
        weight("w1_3", w1_text),
        weight("w2_3", w2_text),
-       {"normalise weights", "", "divide the weights of a term by their sum where w_1 + w_2 > 1", 0.0, 0.0, 1.0, 0,
-        "false|true"},
-       {"swap axes", "", "true: the weights w_1 are the course's and w_2 the wale's", 0.0, 0.0, 1.0, 0, "false|true"}}};
+       {"normalise weights", "", "true: the weights of a term are divided by their sum where w_1 + w_2 > 1.", 0.0, 0.0,
+        1.0, 0, "false|true"},
+       {"swap axes", "", "true: the weights w_1 are the course's and w_2 the wale's.", 0.0, 0.0, 1.0, 0,
+        "false|true"}}};
   static constexpr std::array<ParamSet, 3> sets = {
       {{"pantyhose", "published fit to tensile tests of a pantyhose fabric", pantyhose},
        {"t-shirt",

@@ -9,10 +9,10 @@ inline constexpr double t_shirt[] = {3.82e-2};
 
 struct Law {
   static constexpr const char* name = "neo-hookean";
-  static constexpr const char* text = "Isotropic incompressible matrix: W = C10 (tr C - 3)";
+  static constexpr const char* text = "Isotropic incompressible matrix: W = C10 (tr C - 3).";
   enum { C10 };
   static constexpr std::array<ParamInfo, 1> info = {
-      {{"C10", "MPa", "half the shear modulus", no_default, 0.0, infinity, 1}}};
+      {{"C10", "MPa", "Half the shear modulus.", no_default, 0.0, infinity, 1}}};
   static constexpr std::array<ParamSet, 2> sets = {
       {{"pantyhose", "matrix of the pantyhose fabric's rebar model, without its fibres", pantyhose},
        {"t-shirt", "matrix of the T-shirt fabric's rebar model, without its fibres", t_shirt}}};

@@ -90,31 +90,32 @@ struct Law {
   static constexpr const char* name = "rebar";
   static constexpr const char* text =
       "Incompressible matrix with fibres along wale and course whose modulus is a polynomial of the fibre strain e: "
-      "E_wale = sum c_i e^i, E_course = sum d_i e^i";
+      "E_wale = sum c_i e^i, E_course = sum d_i e^i.";
   static constexpr std::array<ParamInfo, n_params> info = {
-      {{"C10", "MPa", "matrix: half the shear modulus", no_default, 0.0, infinity, 1},
-       coefficient("c0", "wale modulus, coefficient of e^0", no_default),
-       coefficient("c1", "wale modulus, coefficient of e^1"),
-       coefficient("c2", "wale modulus, coefficient of e^2"),
-       coefficient("c3", "wale modulus, coefficient of e^3"),
-       coefficient("c4", "wale modulus, coefficient of e^4"),
-       coefficient("c5", "wale modulus, coefficient of e^5"),
-       coefficient("d0", "course modulus, coefficient of e^0", no_default),
-       coefficient("d1", "course modulus, coefficient of e^1"),
-       coefficient("d2", "course modulus, coefficient of e^2"),
-       coefficient("d3", "course modulus, coefficient of e^3"),
-       coefficient("d4", "course modulus, coefficient of e^4"),
-       coefficient("d5", "course modulus, coefficient of e^5"),
-       choice("strain", "fibre strain e of the fibre's stretch l: ln l, l - 1 or (l^2 - 1)/2", "log|engineering|green",
+      {{"C10", "MPa", "Half the shear modulus of the matrix.", no_default, 0.0, infinity, 1},
+       coefficient("c0", "Coefficient of e^0 in the wale modulus.", no_default),
+       coefficient("c1", "Coefficient of e^1 in the wale modulus."),
+       coefficient("c2", "Coefficient of e^2 in the wale modulus."),
+       coefficient("c3", "Coefficient of e^3 in the wale modulus."),
+       coefficient("c4", "Coefficient of e^4 in the wale modulus."),
+       coefficient("c5", "Coefficient of e^5 in the wale modulus."),
+       coefficient("d0", "Coefficient of e^0 in the course modulus.", no_default),
+       coefficient("d1", "Coefficient of e^1 in the course modulus."),
+       coefficient("d2", "Coefficient of e^2 in the course modulus."),
+       coefficient("d3", "Coefficient of e^3 in the course modulus."),
+       coefficient("d4", "Coefficient of e^4 in the course modulus."),
+       coefficient("d5", "Coefficient of e^5 in the course modulus."),
+       choice("strain", "Fibre strain e of the fibre's stretch l: ln l, l - 1 or (l^2 - 1)/2.", "log|engineering|green",
               3),
-       choice("modulus", "E is the slope of the fibre's stress-strain curve or stress over strain", "tangent|secant",
-              2),
+       choice("modulus",
+              "Whether E is the slope of the fibre's stress-strain curve (tangent) or stress over strain (secant).",
+              "tangent|secant", 2),
        choice(
            "fibres in compression",
-           "off: a shortened fibre carries nothing; on: its stress continues linearly with its modulus at zero strain",
+           "off: a shortened fibre carries nothing; on: its stress continues linearly with its modulus at zero strain.",
            "off|on", 2),
-       {"calibrated strain", "", "end of the calibrated range of e; beyond it the fibre stress continues linearly", 1.0,
-        0.0, infinity, 1}}};
+       {"calibrated strain", "", "End of the calibrated range of e; beyond it the fibre stress continues linearly.",
+        1.0, 0.0, infinity, 1}}};
   static constexpr std::array<ParamSet, 2> sets = {
       {{"pantyhose", "published fit to tensile tests of a pantyhose fabric", pantyhose},
        {"t-shirt", "published fit to tensile tests of a T-shirt fabric", t_shirt}}};

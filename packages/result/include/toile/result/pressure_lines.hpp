@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "toile/mesh/mesh.hpp"
+#include "toile/result/plot.hpp"
 
 namespace toile::result {
 
@@ -53,5 +54,9 @@ std::vector<LevelRow> pressure_curve(const GarmentFields& garment, const Axis& a
 
 /// The rows as CSV, pressures in kPa and mmHg; a value that does not exist is an empty cell. Throws InputError.
 void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows);
+
+/// Mean pressure and Laplace's T/r along the axis in kPa, with mmHg on the right, and a marker at each level that the
+/// garment reaches.
+Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve, const std::vector<LevelRow>& levels);
 
 }  // namespace toile::result

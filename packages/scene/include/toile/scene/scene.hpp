@@ -29,8 +29,8 @@ struct Level {
 /// A support whose reaction is drawn against its displacement.
 struct ForceCurve {
   std::string title;
-  int support = 0;         ///< index into Problem::supports
-  double length = 1.0;     ///< pattern length that is stretched, mm
+  int support = 0;      ///< index into Problem::supports
+  double length = 1.0;  ///< pattern length that is stretched, mm
 };
 
 /// Distance between two points of named edges, written at every step.
@@ -42,7 +42,7 @@ struct Distance {
 /// What the scene asks to be written beyond the fields.
 struct Output {
   solve::Vec3 axis_point = solve::Vec3::Zero(), axis_direction = solve::Vec3::UnitZ();
-  int stations = 0;  ///< of the pressure curve along the axis; 0: none
+  int stations = 0;        ///< of the pressure curve along the axis; 0: none
   double body_size = 5.0;  ///< wanted edge length of the body's triangles, mm
   std::vector<Level> levels;
   std::vector<ForceCurve> force_curves;

@@ -17,16 +17,16 @@ struct NamedField {
 
 /// What is written of one state. Units are in the names' documentation (doc/user-guide.md).
 struct Fields {
-  std::vector<Vec3> position;      ///< [node] mm
-  std::vector<double> pressure;    ///< [node] MPa per current mid-surface area; nodes of a seam share one value
-  std::vector<double> gap;         ///< [node] mm, of the fabric's contact surface; 0 without a body
-  std::vector<Vec3> normal;        ///< [node] of the body at the closest point
-  std::vector<double> area;        ///< [node] current area that belongs to the node alone, mm^2
+  std::vector<Vec3> position;    ///< [node] mm
+  std::vector<double> pressure;  ///< [node] MPa per current mid-surface area; nodes of a seam share one value
+  std::vector<double> gap;       ///< [node] mm, of the fabric's contact surface; 0 without a body
+  std::vector<Vec3> normal;      ///< [node] of the body at the closest point
+  std::vector<double> area;      ///< [node] current area that belongs to the node alone, mm^2
   /// [block] element means over the integration points: stretch_wale, stretch_course, ... (see fields.cpp's table)
   std::vector<std::vector<NamedField>> element;
   double smallest_principal_stress = 0.0;  ///< Cauchy, MPa
-  double largest_extrapolation = 0.0;      ///< largest fibre stretch in an element outside the calibrated range; 0: none
-  std::string extrapolated_where;          ///< block and element of it
+  double largest_extrapolation = 0.0;  ///< largest fibre stretch in an element outside the calibrated range; 0: none
+  std::string extrapolated_where;      ///< block and element of it
 };
 
 /// Evaluates the whole garment on the calling rank.

@@ -7,15 +7,15 @@ namespace toile::solve {
 
 /// How linear systems are solved.
 struct LinearOptions {
-  std::string method = "cg";          ///< "cg", "gmres" (Belos) or "direct" (factorisation of every tangent)
-  double tolerance = 1e-10;           ///< relative residual
-  int kept_iterations = 12;           ///< a kept factorisation that needs more is renewed
+  std::string method = "cg";  ///< "cg", "gmres" (Belos) or "direct" (factorisation of every tangent)
+  double tolerance = 1e-10;   ///< relative residual
+  int kept_iterations = 12;   ///< a kept factorisation that needs more is renewed
 };
 
 /// How a step is brought to equilibrium.
 struct NewtonOptions {
-  double tolerance = 1e-10;      ///< residual over the norm of the nodal forces that meet in it
-  double gap_tolerance = 1e-6;   ///< largest gap of a node in contact, mm
+  double tolerance = 1e-10;     ///< residual over the norm of the nodal forces that meet in it
+  double gap_tolerance = 1e-6;  ///< largest gap of a node in contact, mm
   int max_iterations = 60;
 };
 

@@ -32,7 +32,7 @@ struct EdgeLoad {
 struct ContactOptions {
   bool offset_by_half_thickness = true;  ///< false: contact at the mid-surface (membrane theory)
   /// Augmentation relative to the mean diagonal of the tangent. Steers the iteration, not the result.
-  double relative_stiffness = 100.0;
+  double relative_stiffness = 1.0;
 };
 
 /// Element formulation and fabric of one block of the mesh.
@@ -58,8 +58,8 @@ struct Problem {
 /// A converged (or starting) configuration, the same on every rank.
 struct State {
   std::vector<Vec3> position;         ///< [cluster] position of the master, mm
-  std::vector<double> contact_force;  ///< [node] N; a closed cluster carries it on its master
-  std::vector<double> offset;         ///< [node] contact surface inside the mid-surface, mm
+  std::vector<double> contact_force;  ///< [cluster] N
+  std::vector<double> offset;         ///< [cluster] contact surface inside the mid-surface, mm
   double seam = 0.0;                  ///< 0: placed, 1: closed
   double load = 0.0;
 };

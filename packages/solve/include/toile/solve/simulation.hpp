@@ -17,26 +17,26 @@ struct ForceBalance {
   Vec3 load = Vec3::Zero();
   Vec3 damping = Vec3::Zero();
   Vec3 pins = Vec3::Zero();  ///< of what is held against null motions
-  double magnitude = 0.0;  ///< sum of the magnitudes of the nodal forces
+  double magnitude = 0.0;    ///< sum of the magnitudes of the nodal forces
   Vec3 sum() const;
 };
 
 /// One accepted step.
 struct StepReport {
   std::string stage;
-  int step = 0;             ///< counted over the whole run
-  double parameter = 0.0;   ///< of the stage, 0..1
+  int step = 0;            ///< counted over the whole run
+  double parameter = 0.0;  ///< of the stage, 0..1
   double load = 0.0, seam = 0.0;
-  int iterations = 0;       ///< Newton iterations since the last accepted step, failed attempts included
-  int cut_backs = 0;        ///< failed attempts since the last accepted step
-  double residual = 0.0;    ///< relative force residual
-  double gap = 0.0;         ///< largest violation of contact, mm
-  double strain_energy = 0.0;       ///< N mm
-  double dissipated = 0.0;          ///< accumulated over the run, N mm
-  double dissipation_ratio = 0.0;   ///< accumulated dissipation over the largest strain energy
-  int negative_pivots = -1;         ///< of the tangent at the accepted state; -1: not known
-  int extrapolated = 0;             ///< elements outside the calibrated range of their fabric
-  bool undamped = false;            ///< this is the final state of its stage, without damping
+  int iterations = 0;              ///< Newton iterations since the last accepted step, failed attempts included
+  int cut_backs = 0;               ///< failed attempts since the last accepted step
+  double residual = 0.0;           ///< relative force residual
+  double gap = 0.0;                ///< largest violation of contact, mm
+  double strain_energy = 0.0;      ///< N mm
+  double dissipated = 0.0;         ///< accumulated over the run, N mm
+  double dissipation_ratio = 0.0;  ///< accumulated dissipation over the largest strain energy
+  int negative_pivots = -1;        ///< of the tangent at the accepted state; -1: not known
+  int extrapolated = 0;            ///< elements outside the calibrated range of their fabric
+  bool undamped = false;           ///< this is the final state of its stage, without damping
   ForceBalance balance;
   double seconds = 0.0;  ///< wall time since the start of the run
 };

@@ -26,6 +26,10 @@ ContactOptions read_contact(const base::List& list);
 base::Spec supports_spec();
 std::vector<Support> read_supports(const base::List& list, const mesh::Mesh& mesh);
 
+/// Refuses a stage that releases what is no support, and supports that move the same node differently while both hold.
+/// `supports`: the list that `problem.supports` was read from, null if there is none. Throws base::InputError.
+void check_supports(const base::List* supports, const base::List& stages, const Problem& problem);
+
 /// List "Loads": one entry an edge load.
 base::Spec loads_spec();
 std::vector<EdgeLoad> read_loads(const base::List& list, const mesh::Mesh& mesh);

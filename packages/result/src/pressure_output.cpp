@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+#include "toile/result/csv.hpp"
+#include "toile/result/pressure_lines.hpp"
+#include "toile/result/units.hpp"
+
+namespace toile::result {
+namespace {
+
+Column column(const std::string& name, const std::string& unit, const std::vector<LevelRow>& rows,
+              const std::function<double(const LevelRow&)>& value) {
+  Column result{{name, unit}, {}};
+  std::transform(rows.begin(), rows.end(), std::back_inserter(result.values), value);
+  return result;
+}
+
+void add_pressure(Table& table, const std::string& name, const std::vector<LevelRow>& rows, double LevelRow::*value) {
+  table.columns.push_back(column(name, "kPa", rows, [=](const LevelRow& r) { return kpa_per_mpa * r.*value; }));
+  table.columns.push_back(
+      column(name, "mmHg", rows, [=](const LevelRow& r) { return mmhg_per_kpa * kpa_per_mpa * r.*value; }));
+}
+
+Series series(const std::string& title, const std::vector<LevelRow>& rows, double LevelRow::*value) {
+  Series result;
+  result.title = title;
+  for (const LevelRow& row : rows) {
+    result.x.push_back(row.height);
+    result.y.push_back(kpa_per_mpa * row.*value);
+  }
+  return result;
+}
+
+}  // namespace
+
+void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows) {
+  Table table;
+  if (std::any_of(rows.begin(), rows.end(), [](const LevelRow& row) { return !row.name.empty(); })) {
+    table.row_title = "level";
+    std::transform(rows.begin(), rows.end(), std::back_inserter(table.row_names),
+                   [](const LevelRow& row) { return row.name; });
+  }
+  table.columns.push_back(column("height", "mm", rows, [](const LevelRow& r) { return r.height; }));
+  add_pressure(table, "mean pressure", rows, &LevelRow::pressure_mean);
+  add_pressure(table, "smallest pressure", rows, &LevelRow::pressure_min);
+  add_pressure(table, "largest pressure", rows, &LevelRow::pressure_max);
+  add_pressure(table, "Laplace T/r", rows, &LevelRow::laplace);
+  table.columns.push_back(column("girth", "mm", rows, [](const LevelRow& r) { return r.girth; }));
+  table.columns.push_back(column("mean radius", "mm", rows, [](const LevelRow& r) { return r.radius; }));
+  table.columns.push_back(column("hoop tension T", "N/mm", rows, [](const LevelRow& r) { return r.hoop_tension; }));
+  table.columns.push_back(
+      column("smallest principal stress", "MPa", rows, [](const LevelRow& r) { return r.smallest_stress; }));
+  write_csv(path, table);
+}
+
+Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve, const std::vector<LevelRow>& levels) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = "height (mm)";
+  plot.y_label = "contact pressure (kPa)";
+  plot.second_axis = SecondAxis{"contact pressure (mmHg)", mmhg_per_kpa};
+  plot.y_from_zero = true;
+  plot.series.push_back(series("mean contact pressure", curve, &LevelRow::pressure_mean));
+  plot.series.push_back(series("Laplace T/r", curve, &LevelRow::laplace));
+  std::vector<LevelRow> reached;
+  std::copy_if(levels.begin(), levels.end(), std::back_inserter(reached),
+               [](const LevelRow& row) { return row.girth > 0.0; });
+  if (!reached.empty()) {
+    Series markers = series("levels", reached, &LevelRow::pressure_mean);
+    markers.line = false;
+    markers.markers = true;
+    std::transform(reached.begin(), reached.end(), std::back_inserter(markers.labels),
+                   [](const LevelRow& row) { return row.name; });
+    plot.series.push_back(markers);
+  }
+  return plot;
+}
+
+}  // namespace toile::result

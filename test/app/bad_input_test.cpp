@@ -1,0 +1,224 @@
+#include "program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A scene that cannot be used: exit status 2, one message on the error stream, and the results of an earlier run in
+/// the same folder stay as they are.
+class BadInput : public ProgramTest {
+ protected:
+  void expect_refused(const std::string& message) const {
+    write("out/results.exo", "of an earlier run");
+    write("out/restart.h5", "of an earlier run");
+    const Outcome run = toile("run scene.xml --output out");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, AllOf(StartsWith("toile: scene.xml: "), HasSubstr(message)));
+    EXPECT_EQ(read("out/results.exo"), "of an earlier run");
+    EXPECT_EQ(read("out/restart.h5"), "of an earlier run");
+  }
+};
+
+std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+}
+
+// An unknown parameter is named with its list and the nearest valid name.
+TEST_F(BadInput, UnknownParameter) {
+  write_scene("strip", {{"name=\"width\"", "name=\"widht\""}});
+  expect_refused("scene > Panels > strip: unknown parameter \"widht\"; did you mean \"width\"? Valid here: ");
+}
+
+// Every problem of a scene is told at once, one line each.
+TEST_F(BadInput, SeveralProblems) {
+  write_scene("strip", {{"name=\"width\"", "name=\"widht\""}, {"\"set\"", "\"sett\""}});
+  const std::string err = toile("check scene.xml").err;
+  EXPECT_THAT(err, AllOf(HasSubstr("did you mean \"set\"?"), HasSubstr("\nscene.xml: scene > Panels > strip: "),
+                         HasSubstr("did you mean \"width\"?")));
+}
+
+// A word where a number is expected.
+TEST_F(BadInput, NotANumber) {
+  write_scene("strip",
+              {{"name=\"width\" type=\"double\" value=\"50\"", "name=\"width\" type=\"double\" value=\"wide\""}});
+  expect_refused("scene > Panels > strip: parameter \"width\" is \"wide\", expected a number (double)");
+}
+
+// A value of another type is named with the type that is expected.
+TEST_F(BadInput, WrongType) {
+  write_scene("strip", {{"name=\"width\" type=\"double\"", "name=\"width\" type=\"string\""}});
+  expect_refused("parameter \"width\" is \"50\" (string), expected double in mm");
+}
+
+// A value out of its range is shown beside the range.
+TEST_F(BadInput, OutOfRange) {
+  write_scene("strip", {{"type=\"double\" value=\"50\"", "type=\"double\" value=\"-50\""}});
+  expect_refused("parameter \"width\" is out of range: -50 mm, allowed: > 0 mm");
+}
+
+// A scene that is not there.
+TEST_F(BadInput, MissingScene) {
+  const Outcome run = toile("run nowhere.xml");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "toile: nowhere.xml: cannot open this file\n");
+}
+
+// A folder in place of the scene.
+TEST_F(BadInput, FolderInPlaceOfTheScene) {
+  write("folder/file", "");
+  const Outcome run = toile("run folder");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "toile: folder: this is a folder, expected an XML file\n");
+}
+
+// A file that is not XML is refused with the line of the mistake.
+TEST_F(BadInput, XmlSyntax) {
+  write("scene.xml", "<ParameterList name=\"scene\">\n  <Parameter name=\"title\"\n</ParameterList>\n");
+  expect_refused("not well-formed XML: ");
+  EXPECT_THAT(toile("check scene.xml").err, HasSubstr("line 3"));
+}
+
+// An empty file is no scene.
+TEST_F(BadInput, EmptyScene) {
+  write("scene.xml", "<ParameterList name=\"scene\"/>\n");
+  expect_refused("missing list \"Materials\"");
+}
+
+// A support on an edge that no panel has.
+TEST_F(BadInput, UnknownEdge) {
+  write_scene("strip", {{"{strip.bottom}", "{strip.botom}"}});
+  expect_refused(
+      "scene > Supports > lower clamp: parameter \"on\" = {\"strip.botom\"}: no edge or panel is named "
+      "\"strip.botom\"; did you mean \"strip.bottom\"? Valid here: strip, strip.bottom, strip.left, ");
+}
+
+// A seam on an edge that no panel has.
+TEST_F(BadInput, UnknownEdgeOfASeam) {
+  write_scene("sleeve", {{"sleeve.right", "sleeve.rigth"}});
+  expect_refused(
+      "scene > Seams > side: parameter \"second\" = \"sleeve.rigth\": there is no edge \"sleeve.rigth\"; "
+      "did you mean \"sleeve.right\"? Valid here: ");
+}
+
+// A seam between edges with different numbers of nodes.
+TEST_F(BadInput, SeamWithUnequalNodes) {
+  write_scene("sleeve", {{"sleeve.right", "sleeve.top"}});
+  expect_refused(
+      "a seam whose edges cannot match: \"sleeve.left\" (10 nodes, 100 mm) and \"sleeve.top\" (21 nodes, "
+      "200 mm) have different numbers of nodes; give both panels the same number of elements there");
+}
+
+// A seam between edges whose lengths differ by more than its ease.
+TEST_F(BadInput, SeamWithUnequalLengths) {
+  write_scene("sleeve", {{"sleeve.right", "sleeve.top"}, {"\"int\" value=\"20\"", "\"int\" value=\"9\""}});
+  expect_refused(
+      "a seam whose edges cannot match: the lengths of \"sleeve.left\" (10 nodes, 100 mm) and "
+      "\"sleeve.top\" (10 nodes, 200 mm) differ by more than 5 % (parameter \"ease\")");
+}
+
+// A panel whose outline crosses itself.
+TEST_F(BadInput, PanelThatOverlapsItself) {
+  write_scene("strip", {{"value=\"rectangle\"/>", "value=\"four-sided\"/>" +
+                                                      parameter("bottom", "Array(double)", "{0, 0, 50, 0}") +
+                                                      parameter("right", "Array(double)", "{50, 0, 0, 100}") +
+                                                      parameter("top", "Array(double)", "{50, 100, 0, 100}") +
+                                                      parameter("left", "Array(double)", "{0, 0, 50, 100}")},
+                        {parameter("width", "double", "50"), ""},
+                        {parameter("height", "double", "100"), ""}});
+  expect_refused("panel \"strip\" overlaps itself near (25, 50) mm of its pattern; its outline must not cross");
+}
+
+// The published T-shirt weights as printed violate the conditions of the material, and the message says what to do.
+TEST_F(BadInput, MaterialThatViolatesItsConditions) {
+  write_scene("strip", {{"value=\"pantyhose\"", "value=\"t-shirt as printed\""}});
+  expect_refused(
+      "scene > Materials > fabric: parameter \"set\" = \"t-shirt as printed\": parameter \"w2_2\": the weights of term "
+      "2 add up to 1.02, so w_3 = 1 - w_1 - w_2 = -0.02 is negative: J can turn negative and the energy is not "
+      "polyconvex; set \"normalise weights\" to true to divide the weights by their sum");
+}
+
+// A panel of a material that the scene does not have.
+TEST_F(BadInput, UnknownMaterial) {
+  write_scene("strip", {{"name=\"material\" type=\"string\" value=\"fabric\"",
+                         "name=\"material\" type=\"string\" value=\"fabirc\""}});
+  expect_refused(
+      "scene > Panels > strip: parameter \"material\" = \"fabirc\": no entry of the list \"Materials\" has "
+      "this name; did you mean \"fabric\"? Valid here: fabric");
+}
+
+// A stage that sews in a scene without seams.
+TEST_F(BadInput, SewingWithoutSeams) {
+  write_scene("strip", {{"value=\"load\"", "value=\"sew\""}});
+  expect_refused("scene > Stages > pull: parameter \"type\" = \"sew\": the scene has no list \"Seams\"");
+}
+
+// Contact with a body that the scene does not have.
+TEST_F(BadInput, ContactWithoutBody) {
+  write_scene("strip", {{"<ParameterList name=\"Stages\">",
+                         "<ParameterList name=\"Contact\"/><ParameterList name=\"Stages\">"}});
+  expect_refused("scene > Contact: the scene has no list \"Body\" to be in contact with");
+}
+
+// Pressure of a scene without a body.
+TEST_F(BadInput, PressureWithoutBody) {
+  write_scene("strip", {{"<ParameterList name=\"Output\">",
+                         "<ParameterList name=\"Output\">" + parameter("stations", "int", "5")}});
+  expect_refused("scene > Output: parameter \"stations\" = 5: the scene has no list \"Body\", so there is no pressure");
+}
+
+// Two supports that move the same node differently.
+TEST_F(BadInput, ContradictorySupports) {
+  write_scene("strip", {{"{strip.bottom}", "{strip.bottom, strip.left}"}});
+  expect_refused(
+      "scene > Supports > upper clamp: parameter \"move by\" = {0, 20, 0}: contradicts support \"lower "
+      "clamp\": both hold the node at (0, 100, 0) mm in y, but \"upper clamp\" moves it by 20 mm and \"lower "
+      "clamp\" by 0 mm");
+}
+
+// A support that moves what it does not hold.
+TEST_F(BadInput, MoveOfAFreeDirection) {
+  write_scene("strip", {{parameter("hold", "string", "xyz"), parameter("hold", "string", "xz")}});
+  expect_refused(
+      "scene > Supports > upper clamp: parameter \"move by\" = {0, 20, 0}: moves in y, but \"hold\" is \"xz\"");
+}
+
+// A stage that releases a support that the scene does not have.
+TEST_F(BadInput, ReleaseOfAnUnknownSupport) {
+  write_scene("strip", {{"value=\"load\"/>", "value=\"load\"/>" + parameter("release", "Array(string)", "{plan}")}});
+  expect_refused(
+      "scene > Stages > pull: parameter \"release\" = {\"plan\"}: no support is named \"plan\"; did you mean "
+      "\"plane\"?");
+}
+
+// A force curve of a support that the scene does not have.
+TEST_F(BadInput, CurveOfAnUnknownSupport) {
+  write_scene("strip", {{parameter("support", "string", "upper clamp"), parameter("support", "string", "uper clamp")}});
+  expect_refused(
+      "scene > Output > Force curves > wale: parameter \"support\" = \"uper clamp\": no support is named "
+      "\"uper clamp\"; did you mean \"upper clamp\"?");
+}
+
+// A check whose bounds exclude each other.
+TEST_F(BadInput, CheckThatCannotHold) {
+  write_scene("sleeve", {{parameter("upper", "double", "1e-6"),
+                          parameter("lower", "double", "2") + parameter("upper", "double", "1")}});
+  expect_refused("scene > Checks > equilibrium: parameter \"lower\" = 2: must not be above \"upper\"");
+}
+
+// A folder of results that cannot be made is refused before anything is solved.
+TEST_F(BadInput, OutputThatCannotBeWritten) {
+  write_scene("strip");
+  write("occupied", "a file");
+  const Outcome run = toile("run scene.xml --output occupied");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, StartsWith("toile: cannot make the folder of the results \"occupied\": "));
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(read("occupied"), "a file");
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,113 @@
+#include "program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using RunScene = ProgramTest;
+
+// A run that succeeds leaves every kind of result on disk.
+TEST_F(RunScene, WritesItsResults) {
+  write_scene("sleeve");
+  const Outcome run = toile("run scene.xml");
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const char* file : {"results.exo", "history.h5", "restart.h5", "pressure-curve.csv", "pressure-levels.csv",
+                           "pressure.dat", "pressure.gp"})
+    EXPECT_TRUE(exists(std::string("results/scene/") + file)) << file;
+  EXPECT_THAT(read("results/scene/pressure-levels.csv"), HasSubstr("\nmiddle,65,"));
+}
+
+// Progress says stage, step, load, iterations and time; the summary everything that a result is judged by.
+TEST_F(RunScene, PrintsProgressAndSummary) {
+  write_scene("sleeve");
+  const std::string out = toile("run scene.xml").out;
+  EXPECT_THAT(out, AllOf(HasSubstr("[1/2] sew: step 1, "), HasSubstr(", load 0.0000, "), HasSubstr(" iterations, "),
+                         HasSubstr(" elapsed, about "), HasSubstr("[2/2] settle: ")));
+  EXPECT_THAT(out, AllOf(HasSubstr("pressure: "), HasSubstr("mmHg) where the garment touches"),
+                         HasSubstr("largest gap of a node in contact: "), HasSubstr("forces on the garment"),
+                         HasSubstr("sum over magnitudes: "), HasSubstr("dissipated by damping: ")));
+  EXPECT_THAT(summary_line(out, "modules used: "),
+              AllOf(HasSubstr("contact"), HasSubstr("seams"), HasSubstr("damping")));
+  EXPECT_THAT(summary_line(out, "modules left out: "), AllOf(HasSubstr("edge loads"), HasSubstr("partition")));
+  for (const char* phase : {"\nbody ", "\ngarment ", "\nsolve ", "\n  output ", "\ntotal "})
+    EXPECT_THAT(out, HasSubstr(phase));
+}
+
+// The summary's pressure is the one of membrane theory: the sleeve is uniform, so its extremes are equal.
+TEST_F(RunScene, ReportsPressureExtremes) {
+  write_scene("sleeve");
+  double least = 0.0, largest = -1.0;
+  const std::string line = summary_line(toile("run scene.xml").out, "pressure: ");
+  ASSERT_EQ(std::sscanf(line.c_str(), "%lf to %lf kPa", &least, &largest), 2) << line;
+  EXPECT_GT(least, 0.1);
+  EXPECT_NEAR(largest, least, 1e-4 * least);
+}
+
+// A quiet run that succeeds prints nothing, and writes the same files.
+TEST_F(RunScene, IsQuiet) {
+  write_scene("strip");
+  const Outcome run = toile("run scene.xml --quiet");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(exists("results/scene/results.exo"));
+}
+
+// --output names the folder of the results, which is made if need be, and nothing is written elsewhere.
+TEST_F(RunScene, WritesWhereItIsTold) {
+  write_scene("strip");
+  EXPECT_EQ(toile("run scene.xml --output some/where").status, 0);
+  EXPECT_TRUE(exists("some/where/results.exo"));
+  EXPECT_TRUE(exists("some/where/force-curves.csv"));
+  EXPECT_FALSE(exists("results"));
+}
+
+// The curves of an earlier run do not stay beside the results of a later one that has none.
+TEST_F(RunScene, ReplacesEarlierResults) {
+  write_scene("strip");
+  write("out/pressure-levels.csv", "of an earlier run");
+  write("out/notes.txt", "mine");
+  EXPECT_EQ(toile("run scene.xml --output out").status, 0);
+  EXPECT_FALSE(exists("out/pressure-levels.csv"));
+  EXPECT_EQ(read("out/notes.txt"), "mine");
+}
+
+// Two threads, and two ranks, report the pressure of one.
+TEST_F(RunScene, IsTheSameInParallel) {
+  write_scene("sleeve");
+  const std::string one = summary_line(toile("run scene.xml").out, "pressure: ");
+  EXPECT_THAT(one, HasSubstr("kPa"));
+  const Outcome threads = toile("run scene.xml --threads 2");
+  EXPECT_EQ(threads.status, 0) << threads.err;
+  EXPECT_EQ(summary_line(threads.out, "pressure: "), one);
+  const Outcome ranks = toile("run scene.xml", 2);
+  EXPECT_EQ(ranks.status, 0) << ranks.err;
+  EXPECT_EQ(summary_line(ranks.out, "pressure: "), one);
+  EXPECT_THAT(summary_line(ranks.out, "modules used: "), HasSubstr("partition"));
+}
+
+// A check of the scene that does not hold ends the run with its own status, after the results are written.
+TEST_F(RunScene, FailsACheck) {
+  write_scene("sleeve", {{"\"force balance\"", "\"largest pressure\""}, {"1e-6", "1e-3"}});
+  const Outcome run = toile("run scene.xml");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_THAT(run.err, HasSubstr("toile: check \"equilibrium\" does not hold: largest pressure is "));
+  EXPECT_THAT(run.err, HasSubstr(", allowed: <= 0.001"));
+  EXPECT_TRUE(exists("results/scene/results.exo"));
+  EXPECT_THAT(run.out, HasSubstr("Summary"));
+}
+
+// `check` builds the scene, says what it found and writes nothing.
+TEST_F(RunScene, ChecksWithoutSolving) {
+  write_scene("sleeve");
+  const Outcome check = toile("check scene.xml");
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("scene.xml: valid. 210 nodes, 180 elements, 1 seams, 2 stages; cylinder"));
+  EXPECT_FALSE(exists("results"));
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,133 @@
+// Residual, tangent and potential of one stage belong together.
+#include "equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_Core.hpp>
+#include <cmath>
+
+#include "sleeve.hpp"
+
+namespace toile::test {
+namespace {
+
+using solve::Drive;
+using solve::Equilibrium;
+using solve::HeldComponent;
+using solve::Vector;
+
+/// A sleeve that is pushed onto a cylinder a little larger than its placed radius, half sewn, damped and loaded: every
+/// term of the equilibrium is at work.
+struct Fixture {
+  Sleeve sleeve;
+  std::unique_ptr<Equilibrium> equilibrium;
+  Teuchos::RCP<Vector> z;
+  const double s = 0.4;
+
+  static Sleeve::Options options() {
+    Sleeve::Options o;
+    o.around = 12;
+    o.along = 6;
+    o.ranks = Tpetra::getDefaultComm()->getSize();
+    return o;
+  }
+
+  Fixture()
+      : sleeve(options(), std::make_shared<material::Material>(*material::find("neo-hookean"),
+                                                               std::vector<double>{8.4667e-3}, 1.0)) {
+    for (int j = 0; j <= options().along; ++j)  // open the seam by turning its second side away
+      sleeve.mesh.placed[static_cast<size_t>(j) * 13 + 12] += solve::Vec3(0.5, -4.0, 0.3);
+    sleeve.problem.loads.push_back({"pull", sleeve.problem.supports[1].nodes, solve::Vec3(1e-4, 2e-4, 0.0)});
+    std::vector<std::array<HeldComponent, 3>> held(sleeve.problem.clusters.size());
+    for (int i = 0; i < 12; ++i) held[i][2] = {true, 0.0, 1.5, 0};
+    solve::State start = placed_state(sleeve.problem);
+    equilibrium = std::make_unique<Equilibrium>(sleeve.problem, start, held, Drive{0.0, 1.0, 0.0, 1.0},
+                                                solve::SolverOptions(), Tpetra::getDefaultComm());
+    equilibrium->set_damping(1e-3);
+    equilibrium->start_step(*equilibrium->start_vector(), 0.0);
+    z = equilibrium->start_vector();
+    shake(*z, 0.3, 1);
+  }
+
+  /// Adds noise that depends on the component only, so that it is the same for any number of ranks.
+  static void shake(Vector& v, double size, int seed) {
+    auto data = v.getDataNonConst();
+    for (int i = 0; i < static_cast<int>(data.size()); ++i) {
+      const double id = static_cast<double>(v.getMap()->getGlobalElement(i));
+      data[i] += size * std::sin(12.9898 * (id + 1.0) * seed + 0.37 * seed);
+    }
+  }
+};
+
+// The residual of the forces is the gradient of the potential with the contact multipliers held.
+TEST(Equilibrium, ResidualIsTheGradientOfThePotential) {
+  Fixture f;
+  Vector residual(f.z->getMap()), direction(f.z->getMap());
+  Fixture::shake(direction, 1.0, 2);
+  f.equilibrium->residual(*f.z, f.s, residual);
+  const double slope = f.equilibrium->force_slope(residual, direction);
+  const double h = 1e-5;
+  Vector plus(*f.z, Teuchos::Copy), minus(*f.z, Teuchos::Copy);
+  plus.update(h, direction, 1.0);
+  minus.update(-h, direction, 1.0);
+  const double difference =
+      (f.equilibrium->energy(plus, *f.z, f.s) - f.equilibrium->energy(minus, *f.z, f.s)) / (2.0 * h);
+  EXPECT_GT(std::abs(slope), 1e-3);
+  EXPECT_NEAR(difference, slope, 1e-6 * std::abs(slope));
+}
+
+// The tangent is the derivative of the residual, contact conditions included.
+TEST(Equilibrium, TangentIsTheDerivativeOfTheResidual) {
+  Fixture f;
+  Vector direction(f.z->getMap()), product(f.z->getMap()), plus(f.z->getMap()), minus(f.z->getMap());
+  Fixture::shake(direction, 1.0, 3);
+  f.equilibrium->linearise(*f.z, f.s);
+  f.equilibrium->apply(direction, product);
+  const double h = 1e-6;
+  Vector z(*f.z, Teuchos::Copy);
+  z.update(h, direction, 1.0);
+  f.equilibrium->residual(z, f.s, plus);
+  z.update(-2.0 * h, direction, 1.0);
+  f.equilibrium->residual(z, f.s, minus);
+  plus.update(-1.0, minus, 1.0);
+  plus.scale(0.5 / h);
+  const double size = product.norm2();
+  EXPECT_GT(size, 1e-3);
+  plus.update(-1.0, product, 1.0);
+  EXPECT_LT(plus.norm2(), 1e-6 * size);
+}
+
+// The Newton step solves the tangent's system: multiplied by the tangent it gives the right-hand side back.
+TEST(Equilibrium, SolveInvertsTheTangent) {
+  Fixture f;
+  Vector b(f.z->getMap()), step(f.z->getMap()), back(f.z->getMap());
+  f.equilibrium->set_damping(10.0);  // positive definite, so that no shift is added
+  Fixture::shake(b, 1e-3, 4);
+  f.equilibrium->linearise(*f.z, f.s);
+  ASSERT_EQ(f.equilibrium->unshifted_negative_pivots(), 0);
+  ASSERT_TRUE(f.equilibrium->solve(b, step));
+  f.equilibrium->apply(step, back);
+  back.update(-1.0, b, 1.0);
+  EXPECT_LT(back.norm2(), 1e-8 * b.norm2());
+}
+
+// Retraction puts the nodes in contact back onto the surface and leaves the others alone.
+TEST(Equilibrium, RetractionClosesTheGapOfActiveNodes) {
+  Fixture f;
+  f.equilibrium->linearise(*f.z, f.s);
+  Vector moved(*f.z, Teuchos::Copy), residual(f.z->getMap());
+  Fixture::shake(moved, 0.05, 5);
+  f.equilibrium->retract(moved, f.s);
+  f.equilibrium->residual(moved, f.s, residual);
+  Vector direction(f.z->getMap()), product(f.z->getMap());
+  direction.update(1.0, moved, -1.0, *f.z, 0.0);
+  EXPECT_GT(direction.norm2(), 0.01);
+  f.equilibrium->retract(moved, f.s);  // a second time changes nothing
+  Vector again(f.z->getMap());
+  f.equilibrium->residual(moved, f.s, again);
+  again.update(-1.0, residual, 1.0);
+  EXPECT_LT(again.norm2(), 1e-9);
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/plane_scene.hpp"
+
+namespace toile::test {
+namespace {
+
+/// What the reference gives of Cook's membrane.
+struct Cook {
+  double tip_ux, tip_uy, mean_edge_uy, energy;
+};
+
+Cook cook(const PlaneCase& row, const PlaneMesh& mesh) {
+  const PlaneRun result = run(cook_list(row, mesh));
+  const std::vector<int>& edge = result.edge("sheet.right");
+  const auto& pattern = result.scene->garment().mesh.pattern;
+  double integral = 0.0;
+  for (size_t k = 1; k < edge.size(); ++k) {
+    const double length = (pattern[edge[k]] - pattern[edge[k - 1]]).norm();
+    integral += 0.5 * length * (result.displacement(edge[k]).y() + result.displacement(edge[k - 1]).y());
+  }
+  const solve::Vec3 tip = result.displacement(edge.back());
+  return {tip.x(), tip.y(), integral / 16.0, result.reports.back().strain_energy};
+}
+
+// On uniform meshes Cook's membrane converges to the reference with the rate 2 x 0.624 of its corner's singularity.
+TEST(Cook, UniformMeshesConvergeWithTheRateOfTheCorner) {
+  constexpr double rate = 2.0 * 0.624;
+  const PlaneCase row = plane_cases("cook").front();
+  double error[3];
+  for (int level = 0; level < 3; ++level) {
+    const int n = 16 << level;
+    error[level] = std::abs(cook(row, {n, n}).mean_edge_uy - row["mean_edge_uy"]);
+    if (level == 0) continue;
+    EXPECT_GE(std::log2(error[level - 1] / error[level]), 0.95 * rate) << n << " x " << n;
+  }
+  EXPECT_LT(error[2], 0.01 * row["mean_edge_uy"]);
+}
+
+// On a mesh graded to its corners Cook's membrane gives the published displacements of an incompressible sheet.
+TEST(Cook, GradedMeshGivesThePublishedDisplacements) {
+  const Cook found = cook(plane_cases("cook").front(), {64, 64, 2.0});
+  EXPECT_NEAR(found.tip_uy, 2.4064, 0.001 * 2.4064);
+  EXPECT_NEAR(found.mean_edge_uy, 2.33543, 0.001 * 2.33543);
+}
+
+// On a mesh graded to its corners every fabric bends Cook's membrane as the independent reference does.
+TEST(Cook, GradedMeshAgreesWithTheReferenceForEveryFabric) {
+  for (const PlaneCase& row : plane_cases("cook")) {
+    const Cook found = cook(row, {48, 48, 2.0});
+    const std::string what = row.material + ", F = " + std::to_string(row["F"]);
+    std::printf("%s %g %g %g %g\n", what.c_str(), found.tip_ux / row["tip_ux"] - 1, found.tip_uy / row["tip_uy"] - 1, found.mean_edge_uy / row["mean_edge_uy"] - 1, found.energy / row["energy"] - 1);
+    EXPECT_NEAR(found.tip_ux, row["tip_ux"], 0.002 * std::abs(row["tip_ux"])) << what;
+    EXPECT_NEAR(found.tip_uy, row["tip_uy"], 0.002 * row["tip_uy"]) << what;
+    EXPECT_NEAR(found.mean_edge_uy, row["mean_edge_uy"], 0.002 * row["mean_edge_uy"]) << what;
+    EXPECT_NEAR(found.energy, row["energy"], 0.002 * row["energy"]) << what;
+  }
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,132 @@
+#include "verification/plane_scene.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Tpetra_Core.hpp>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "toile/base/timer.hpp"
+
+namespace toile::test {
+namespace {
+
+using Teuchos::ParameterList;
+
+constexpr double cook_modulus = 80.1938;  // MPa
+
+Teuchos::Array<double> reals(std::initializer_list<double> values) { return Teuchos::Array<double>(values); }
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+  return words;
+}
+
+void add_support(ParameterList& scene, const std::string& name, const std::string& on, const std::string& hold) {
+  ParameterList& support = scene.sublist("Supports").sublist(name);
+  support.set("on", Teuchos::Array<std::string>(1, on));
+  support.set("hold", hold);
+}
+
+/// Fabric, panel "sheet" with its mesh, held in its plane with its left side clamped.
+ParameterList flat_scene(const PlaneCase& row, const PlaneMesh& mesh) {
+  ParameterList scene("scene");
+  ParameterList& fabric = scene.sublist("Materials").sublist("fabric");
+  fabric.set("type", row.material);
+  fabric.set("set", "pantyhose");
+  ParameterList& panel = scene.sublist("Panels").sublist("sheet");
+  panel.set("material", "fabric");
+  panel.set("wale angle", row["wale"]);
+  panel.set("elements across", mesh.across);
+  panel.set("elements along", mesh.along);
+  panel.set("grading across", mesh.grading);
+  panel.set("grading along", mesh.grading);
+  add_support(scene, "plane", "sheet", "z");
+  add_support(scene, "left", "sheet.left", "xyz");
+  ParameterList& pull = scene.sublist("Stages").sublist("pull");
+  pull.set("type", "load");
+  pull.set("first step", 0.125);
+  return scene;
+}
+
+}  // namespace
+
+std::vector<PlaneCase> plane_cases(const std::string& file) {
+  const std::string path = TOILE_SOURCE_DIR "/test/data/plane_stress/" + file + ".csv";
+  std::ifstream stream(path);
+  if (!stream) throw std::runtime_error("missing " + path);
+  std::vector<std::string> titles;
+  std::vector<PlaneCase> rows;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("#", 0) == 0) continue;
+    const std::vector<std::string> words = split(line);
+    if (titles.empty()) {
+      titles = words;
+      continue;
+    }
+    PlaneCase row{words.front(), {}};
+    for (size_t c = 1; c < titles.size(); ++c) row.value[titles[c]] = std::stod(words.at(c));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+ParameterList cook_list(const PlaneCase& row, const PlaneMesh& mesh) {
+  ParameterList scene = flat_scene(row, mesh);
+  ParameterList& fabric = scene.sublist("Materials").sublist("fabric");
+  if (row.material == "neo-hookean") fabric.set("C10", 0.5 * cook_modulus);
+  ParameterList& panel = scene.sublist("Panels").sublist("sheet");
+  panel.set("shape", "four-sided");
+  panel.set("bottom", reals({0, 0, 48, 44}));
+  panel.set("right", reals({48, 44, 48, 60}));
+  panel.set("top", reals({0, 44, 48, 60}));
+  panel.set("left", reals({0, 0, 0, 44}));
+  ParameterList& load = scene.sublist("Loads").sublist("shear");
+  load.set("on", "sheet.right");
+  load.set("traction", reals({0, row["F"] / 16.0, 0}));
+  return scene;
+}
+
+ParameterList strip_list(const PlaneCase& row, const PlaneMesh& mesh) {
+  ParameterList scene = flat_scene(row, mesh);
+  ParameterList& panel = scene.sublist("Panels").sublist("sheet");
+  panel.set("shape", "rectangle");
+  panel.set("width", 150.0);
+  panel.set("height", 50.0);
+  add_support(scene, "right", "sheet.right", "xyz");
+  scene.sublist("Supports").sublist("right").set("move by", reals({150.0 * (row["stretch"] - 1.0), 0, 0}));
+  return scene;
+}
+
+solve::Vec3 PlaneRun::displacement(int node) const {
+  return states.back().position[node] - scene->garment().mesh.placed[node];
+}
+
+const std::vector<int>& PlaneRun::edge(const std::string& name) const { return scene->garment().mesh.edges.at(name); }
+
+solve::Vec3 PlaneRun::reaction(const std::string& support, size_t step) const {
+  const std::vector<solve::Support>& supports = scene->problem().supports;
+  for (size_t s = 0; s < supports.size(); ++s)
+    if (supports[s].name == support) return reports[step].balance.support[s];
+  throw std::runtime_error("no support " + support);
+}
+
+PlaneRun run(const base::List& list) {
+  PlaneRun run;
+  base::Timer timer;
+  run.scene = std::make_unique<scene::Scene>(list, Tpetra::getDefaultComm()->getSize(), timer);
+  solve::Simulation simulation(run.scene->problem(), run.scene->solver());
+  simulation.observe([&run](const solve::StepReport& report, const solve::State& state) {
+    run.reports.push_back(report);
+    run.states.push_back(state);
+  });
+  simulation.set_start(run.scene->start());
+  for (const solve::StageOptions& stage : run.scene->stages()) simulation.run(stage);
+  return run;
+}
+
+PlaneRun run(const ParameterList& list) { return run(base::validate(list, scene::scene_spec(), "plane.xml")); }
+
+}  // namespace toile::test

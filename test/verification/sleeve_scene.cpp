@@ -1,0 +1,125 @@
+#include "verification/sleeve_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Teuchos_Array.hpp>
+#include <Tpetra_Core.hpp>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "toile/base/timer.hpp"
+
+namespace toile::test {
+namespace {
+
+using Teuchos::ParameterList;
+
+Teuchos::Array<double> reals(std::initializer_list<double> values) {
+  return Teuchos::Array<double>(values);
+}
+
+void add_panel(ParameterList& scene, const SleeveOptions& o) {
+  ParameterList& panel = scene.sublist("Panels").sublist("sleeve");
+  panel.set("material", "fabric");
+  panel.set("shape", "rectangle");
+  panel.set("width", 2.0 * M_PI * o.r0);
+  panel.set("height", o.l0);
+  panel.set("elements across", o.around);
+  panel.set("elements along", o.along);
+  ParameterList& placement = panel.sublist("Placement");
+  placement.set("type", "wrap");
+  placement.set("axis bottom", reals({o.axis[0], o.axis[1], 0.0}));
+  placement.set("axis top", reals({o.axis[0], o.axis[1], 1.0}));
+  placement.set("from", o.from);
+  placement.set("to", o.to);
+  placement.set("angle", o.angle);
+  placement.set("coverage", 1.0);
+  placement.set("offset", o.offset);
+}
+
+void add_support(ParameterList& scene, const std::string& edge, const std::string& hold) {
+  if (hold.empty()) return;
+  ParameterList& support = scene.sublist("Supports").sublist(edge);
+  support.set("on", Teuchos::Array<std::string>(1, "sleeve." + edge));
+  support.set("hold", hold);
+}
+
+}  // namespace
+
+std::vector<solve::Vec3> Sleeve::ring(int j) const {
+  std::vector<solve::Vec3> points;
+  for (int i = 0; i < around; ++i) points.push_back(position(i, j));
+  return points;
+}
+
+double Sleeve::imbalance() const {
+  solve::ForceBalance balance = report.balance;
+  balance.contact = solve::pressure_resultant(fields);
+  return balance.sum().norm() / balance.magnitude;
+}
+
+double Sleeve::largest_gap() const {
+  double largest = 0.0;
+  for (size_t n = 0; n < fields.gap.size(); ++n)
+    if (fields.pressure[n] > 0.0) largest = std::max(largest, std::abs(fields.gap[n]));
+  return largest;
+}
+
+ParameterList body_list(const std::string& type) {
+  ParameterList list("Body");
+  list.set("type", type);
+  return list;
+}
+
+ParameterList sleeve_list(const SleeveOptions& o) {
+  ParameterList scene("scene");
+  scene.sublist("Body").setParameters(o.body);
+  ParameterList& fabric = scene.sublist("Materials").sublist("fabric");
+  fabric.set("type", o.material);
+  fabric.set("set", "pantyhose");
+  add_panel(scene, o);
+  ParameterList& seam = scene.sublist("Seams").sublist("seam");
+  seam.set("first", "sleeve.right");
+  seam.set("second", "sleeve.left");
+  add_support(scene, "bottom", o.hold_bottom);
+  add_support(scene, "top", o.hold_top);
+  ParameterList& contact = scene.sublist("Contact");
+  contact.set("contact surface", o.inner_face ? "inner face" : "mid-surface");
+  contact.set("relative stiffness", o.relative_stiffness);
+  scene.sublist("Stages").sublist("settle").set("type", "settle");
+  return scene;
+}
+
+Sleeve settle(const SleeveOptions& options) {
+  Sleeve sleeve;
+  sleeve.around = options.around;
+  sleeve.along = options.along;
+  base::Timer timer;
+  const int ranks = Tpetra::getDefaultComm()->getSize();
+  const base::List list = base::validate(sleeve_list(options), scene::scene_spec(), "sleeve.xml");
+  sleeve.scene = std::make_unique<scene::Scene>(list, ranks, timer);
+  solve::Simulation simulation(sleeve.scene->problem(), sleeve.scene->solver());
+  simulation.observe([&sleeve](const solve::StepReport& r, const solve::State&) { sleeve.report = r; });
+  simulation.set_start(sleeve.scene->start());
+  simulation.run(sleeve.scene->stages().front());
+  sleeve.fields = solve::compute_fields(sleeve.scene->problem(), simulation.state());
+  sleeve.notes = simulation.notes();
+  return sleeve;
+}
+
+void expect_balanced(const Sleeve& sleeve) {
+  EXPECT_GT(sleeve.report.balance.magnitude, 0.0);
+  EXPECT_LE(sleeve.imbalance(), 1e-6);
+  EXPECT_LE(sleeve.largest_gap(), 1e-6);
+}
+
+void print(const char* format, ...) {
+  if (Tpetra::getDefaultComm()->getRank() != 0) return;
+  va_list arguments;
+  va_start(arguments, format);
+  std::vprintf(format, arguments);
+  va_end(arguments);
+}
+
+}  // namespace toile::test
