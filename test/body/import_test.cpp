@@ -136,9 +136,10 @@ TEST(Import, NotManifold) {
 // A hole is an error that says where it is, unless open ends are allowed.
 TEST(Import, Open) {
   const std::string file = write_text("open.obj", block_obj.substr(0, block_obj.rfind("f 4 1 5 8")));
-  EXPECT_EQ(message(file), file +
-                               ": the surface is open, it has a border: 4 edges; the first runs from (0, 0, 0) to (0, "
-                               "100, 0). Close it, or set parameter closed = false if a tube with open ends is meant.");
+  EXPECT_EQ(message(file),
+            file +
+                ": the surface is open, it has a border: 4 edges; the first runs from (0, 0, 0) to (0, "
+                "100, 0). Close it, or set parameter \"closed\" = false if a tube with open ends is meant.");
   ImportOptions options;
   options.closed = false;
   EXPECT_EQ(message(file, options), "");
@@ -151,7 +152,7 @@ TEST(Import, InsideOut) {
   const std::string file = test::write_obj("inside-out", mesh);
   EXPECT_EQ(message(file), file +
                                ": the body is reversed (inside-out): the facets of 1 of 1 connected pieces look "
-                               "inwards. Parameter repair orientation = true turns them.");
+                               "inwards. Parameter \"repair orientation\" = true turns them.");
   ImportOptions options;
   options.repair_orientation = true;
   const Import import = import_body(file, options);
@@ -175,7 +176,7 @@ TEST(Import, InconsistentFacets) {
   std::swap(mesh.triangles[40][0], mesh.triangles[40][1]);
   const std::string file = test::write_obj("one-turned", mesh);
   EXPECT_THAT(message(file), HasSubstr("neighbouring facets look to opposite sides: 3 edges; the first runs from ("));
-  EXPECT_THAT(message(file), HasSubstr("Parameter repair orientation = true turns them."));
+  EXPECT_THAT(message(file), HasSubstr("Parameter \"repair orientation\" = true turns them."));
   ImportOptions options;
   options.repair_orientation = true;
   EXPECT_NEAR(volume(import_body(file, options).mesh), volume(ball()), 1e-3);
@@ -187,14 +188,14 @@ TEST(Import, WrongUnit) {
   const std::string metres = test::write_obj("metres", mesh, 1e-3);
   EXPECT_EQ(message(metres), metres +
                                  ": the body is 1.6 mm high, allowed is 50 to 3000 mm; it looks like metres: set "
-                                 "parameter scale = 1000");
+                                 "parameter \"scale\" = 1000");
   ImportOptions options;
   options.scale = 1000.0;
   EXPECT_NEAR(volume(import_body(metres, options).mesh) / volume(mesh), 1.0, 1e-12);
   EXPECT_EQ(message(test::write_obj("huge", mesh, 1e3)),
             testing::TempDir() +
                 "toile-body-huge.obj: the body is 1.6e+06 mm high, allowed is 50 to 3000 mm; z must be the height, "
-                "and parameter scale turns the unit of the file into mm");
+                "and parameter \"scale\" turns the unit of the file into mm");
 }
 
 // Facets without area are removed and reported; two bodies through each other are accepted with a warning.

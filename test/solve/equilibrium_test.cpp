@@ -65,7 +65,7 @@ TEST(Equilibrium, ResidualIsTheGradientOfThePotential) {
   Vector residual(f.z->getMap()), direction(f.z->getMap());
   Fixture::shake(direction, 1.0, 2);
   f.equilibrium->residual(*f.z, f.s, residual);
-  const double slope = f.equilibrium->force_slope(residual, direction);
+  const double slope = f.equilibrium->slope_along_surface(residual, direction);
   const double h = 1e-5;
   Vector plus(*f.z, Teuchos::Copy), minus(*f.z, Teuchos::Copy);
   plus.update(h, direction, 1.0);

@@ -152,6 +152,48 @@ TEST(Sleeve, AStageThatCannotEndKeepsTheLastConvergedState) {
   EXPECT_DOUBLE_EQ(simulation.state().load, reached);
 }
 
+// A step that does not converge is cut back, and the stage still reaches its end.
+TEST(Sleeve, AFailedStepIsCutBack) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 150.0);
+  solve::SolverOptions few;
+  few.newton.max_iterations = 3;
+  solve::Simulation simulation(sleeve.problem, few);
+  simulation.set_start(closed_start(sleeve.problem));
+  solve::Simulation unhurried(sleeve.problem, {});
+  unhurried.set_start(closed_start(sleeve.problem));
+  unhurried.run(stage(solve::StageType::settle));
+  simulation.set_state(unhurried.state());
+  solve::StageOptions pull = stage(solve::StageType::load);
+  pull.first_step = pull.largest_step = 1.0;
+  simulation.run(pull);
+  EXPECT_GT(simulation.statistics().cut_backs, 0);
+  EXPECT_DOUBLE_EQ(simulation.state().load, 1.0);
+}
+
+// Where Newton alone does not find the settled state, damped steps at fixed load lead to it, and the final state is the
+// undamped one.
+TEST(Sleeve, DampedStepsReachAStateThatNewtonAloneDoesNot) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  solve::Simulation direct(sleeve.problem, {});
+  direct.set_start(closed_start(sleeve.problem));
+  direct.run(stage(solve::StageType::settle));
+  solve::SolverOptions few;
+  few.newton.max_iterations = 4;
+  few.newton.tolerance = 1e-6;
+  solve::StageOptions settle = stage(solve::StageType::settle);
+  solve::State rough = closed_start(sleeve.problem);  // rows crowded towards one end
+  for (solve::Vec3& p : rough.position) p[2] += 12.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
+  solve::Simulation undamped(sleeve.problem, few);
+  undamped.set_start(rough);
+  EXPECT_THROW(undamped.run(settle), base::SolveError);
+  settle.damping.active = true;
+  solve::Simulation damped(sleeve.problem, few);
+  damped.set_start(rough);
+  damped.run(settle);
+  EXPECT_NEAR(mid_pressure(sleeve, damped.state(), 12, 6) / mid_pressure(sleeve, direct.state(), 12, 6), 1.0, 1e-4);
+}
+
 // A frictionless sleeve on a body of revolution can spin: the motion is found, named and held.
 TEST(Sleeve, NullMotionIsNamed) {
   Sleeve sleeve(options(12, 6), neo_hookean());

@@ -35,7 +35,6 @@ TEST(Strip, UniformMeshesConvergeWithTheRateOfTheCorners) {
   for (int level = 0; level < 3; ++level) {
     const int n = 8 << level;
     error[level] = std::abs(strip(row, {3 * n, n}).force.x() - row["Fx"]);
-    std::printf("%d %g %g\n", n, error[level], level ? std::log2(error[level - 1] / error[level]) : 0);
     if (level == 0) continue;
     EXPECT_GE(std::log2(error[level - 1] / error[level]), 0.95 * rate) << n << " elements across";
   }
@@ -49,7 +48,6 @@ TEST(Strip, GradedMeshAgreesWithTheReferenceForEveryFabricAndDirection) {
     if (row["stretch"] != 1.4 && row["stretch"] != 1.1) continue;
     const Strip found = strip(row, {60, 20, 2.0});
     const std::string what = row.material + ", wale " + std::to_string(row["wale"]) + ", stretch " + std::to_string(row["stretch"]);
-    std::printf("%s %g %g %g %g\n", what.c_str(), found.force.x()/row["Fx"]-1,(found.force.y()-row["Fy"])/row["Fx"],found.width/row["width"]-1,found.shift-row["shift"]);
     EXPECT_NEAR(found.force.x(), row["Fx"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.force.y(), row["Fy"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.width, row["width"], 0.001 * row["width"]) << what;

@@ -356,8 +356,10 @@ void Equilibrium::retract_cluster(size_t i, double s, double* z) {
   }
 }
 
-double Equilibrium::force_slope(const Vector& f, const Vector& dz) const {
-  return f.offsetView(layout_.dof_map, 0)->getVector(0)->dot(*dz.offsetView(layout_.dof_map, 0)->getVector(0));
+double Equilibrium::slope_along_surface(const Vector& f, const Vector& dz) const {
+  Vector along(*dz.offsetView(layout_.dof_map, 0)->getVector(0), Teuchos::Copy);
+  if (layout_.contact) projection_.project(along);
+  return f.offsetView(layout_.dof_map, 0)->getVector(0)->dot(along);
 }
 
 int Equilibrium::global_contact_nodes() const {

@@ -60,8 +60,9 @@ class Equilibrium {
   /// Potential of the step (strain, loads, damping, augmented contact) with the multipliers held at those of `frozen`.
   double energy(const Vector& z, const Vector& frozen, double s);
 
-  /// Directional derivative of energy(z, z, s) along dz, given f at z (N mm).
-  double force_slope(const Vector& f, const Vector& dz) const;
+  /// Derivative of energy(z, z, s) along the part of dz that stays on the surface where the last linearisation found
+  /// contact, given f at z (N mm).
+  double slope_along_surface(const Vector& f, const Vector& dz) const;
   /// Sum of the magnitudes that cancel in the energy's differences, N mm.
   double energy_scale() const { return std::abs(strain_energy_); }
 

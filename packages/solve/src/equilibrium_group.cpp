@@ -105,7 +105,8 @@ NOX::Abstract::Group::ReturnType EquilibriumGroup::computeNewton(Teuchos::Parame
   if (computeF() != Ok || computeJacobian() != Ok) return Failed;
   const ReturnType status = applyJacobianInverse(list, *f_, *newton_);
   newton_->scale(-1.0);
-  has_newton_ = status == Ok;
+  if (status != Ok) newton_->init(0.0);
+  has_newton_ = true;
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include <LOCA_MultiContinuation_ExtendedVector.H>
 #include <NOX_LineSearch_UserDefinedFactoryT.H>
 #include <NOX_Solver_Generic.H>
+#include <Teuchos_oblackholestream.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +49,12 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
   Equilibrium& equilibrium = old_group.equilibrium();
   const Vector& z = EquilibriumGroup::tpetra(old_group.getX());
   const double s = old_group.parameter();
-  const double old_energy = equilibrium.energy(z, z, s);
-  const double slope =
-      equilibrium.force_slope(EquilibriumGroup::tpetra(old_group.getF()), EquilibriumGroup::tpetra(unwrap(direction)));
+  // Trial points are retracted onto the body; so is the point that they are compared with.
+  Vector start(z, Teuchos::Copy);
+  equilibrium.retract(start, s);
+  const double old_energy = equilibrium.energy(start, z, s);
+  const double slope = equilibrium.slope_along_surface(EquilibriumGroup::tpetra(old_group.getF()),
+                                                       EquilibriumGroup::tpetra(unwrap(direction)));
   step = 1.0;
   for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
     next.computeX(previous, direction, step);
@@ -69,13 +73,19 @@ RCP<Teuchos::ParameterList> newton_parameters() {
   RCP<Teuchos::ParameterList> list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Direction").set("Method", "Newton");
-  list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", false);
+  // Without a solution of the linear system the direction is zero, and the step fails by its number of iterations;
+  // otherwise NOX would throw.
+  list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", true);
   Teuchos::ParameterList& search = list->sublist("Line Search");
   search.set("Method", "User Defined");
   const RCP<NOX::LineSearch::UserDefinedFactory> factory =
       rcp(new NOX::LineSearch::UserDefinedFactoryT<EnergyLineSearch>);
   search.set("User Defined Line Search Factory", factory);
-  list->sublist("Printing").set("Output Information", 0);
+  Teuchos::ParameterList& printing = list->sublist("Printing");
+  printing.set("Output Information", 0);
+  // What a failed attempt has to say is said by the stage.
+  for (const char* stream : {"Output Stream", "Error Stream"})
+    printing.set<RCP<std::ostream>>(stream, rcp(new Teuchos::oblackholestream));
   return list;
 }
 

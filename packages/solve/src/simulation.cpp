@@ -212,9 +212,10 @@ bool Simulation::Data::finish() {
 // where a step fails.
 bool Simulation::Data::relax() {
   constexpr int most_steps = 40;
-  const double last = 1e-6 * first_damping();
+  const double last = 1e-6 * first_damping(), largest = 1e8 * first_damping();
   double coefficient = 100.0 * first_damping();
   for (int k = 0; k < most_steps && coefficient > last; ++k) {
+    if (coefficient > largest) return false;
     equilibrium->set_damping(coefficient);
     equilibrium->start_step(*z, 1.0);
     const bool converged = solve(1.0);

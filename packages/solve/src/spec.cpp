@@ -51,7 +51,7 @@ std::vector<int> nodes_of(const List& list, const mesh::Mesh& mesh, const std::s
   std::string all;
   for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
   list.fail("on", "no edge or panel is named \"" + name + "\"" +
-                      (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
+                      (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
 }
 
 Vec3 vector_of(const List& list, const std::string& name) {

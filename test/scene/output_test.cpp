@@ -1,0 +1,88 @@
+#include <gmock/gmock.h>
+
+#include "lists.hpp"
+
+namespace toile::scene::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+ParameterList& add_distance(ParameterList& scene, const std::string& first, const std::string& second) {
+  return scene.sublist("Output").sublist("Distances").sublist("width").set("first", first).set("second", second);
+}
+
+// Levels, force curves, distances and checks are read in the order and with the values of the file.
+TEST(Output, IsRead) {
+  ParameterList list = tube_scene();
+  add_support(list, "top", "tube.top");
+  list.sublist("Output").set("stations", 7);
+  list.sublist("Output").sublist("Levels").sublist("B").set("height", 20.0);
+  list.sublist("Output").sublist("Levels").sublist("C").set("height", 90.0);
+  list.sublist("Output")
+      .sublist("Force curves")
+      .sublist("wale")
+      .set("support", std::string("top"))
+      .set("length", 100.0);
+  add_distance(list, "tube.left", "tube.right").set("first at", 0.0).set("second at", 1.0);
+  list.sublist("Checks").sublist("gap").set("quantity", std::string("largest gap")).set("upper", 1e-6);
+  const auto scene = build(list);
+  const Output& output = scene->output();
+  EXPECT_EQ(output.stations, 7);
+  ASSERT_EQ(output.levels.size(), 2u);
+  EXPECT_EQ(output.levels[1].name, "C");
+  EXPECT_EQ(output.levels[1].height, 90.0);
+  ASSERT_EQ(output.force_curves.size(), 1u);
+  EXPECT_EQ(scene->problem().supports.at(static_cast<size_t>(output.force_curves[0].support)).name, "top");
+  ASSERT_EQ(output.distances.size(), 1u);
+  const mesh::Mesh& mesh = scene->garment().mesh;
+  EXPECT_EQ(output.distances[0].first, mesh.edges.at("tube.left").front());
+  EXPECT_EQ(output.distances[0].second, mesh.edges.at("tube.right").back());
+  ASSERT_EQ(scene->checks().size(), 1u);
+  EXPECT_EQ(scene->checks()[0].upper, 1e-6);
+  EXPECT_EQ(scene->checks()[0].lower, -std::numeric_limits<double>::infinity());
+}
+
+// The end of a distance on an edge that no panel has.
+TEST(Output, UnknownEdgeIsRefused) {
+  ParameterList list = flat_scene();
+  add_distance(list, "tube.lefft", "tube.right");
+  EXPECT_EQ(input_error(list),
+            "scene.xml: scene > Output > Distances > width: parameter \"first\" = \"tube.lefft\": no edge is named "
+            "\"tube.lefft\"; did you mean \"tube.left\"? Valid here: tube.bottom, tube.left, tube.right, tube.top");
+}
+
+// A force curve of a support that the scene does not have.
+TEST(Output, UnknownSupportIsRefused) {
+  ParameterList list = flat_scene();
+  list.sublist("Output").sublist("Force curves").sublist("w").set("support", std::string("top")).set("length", 100.0);
+  EXPECT_EQ(
+      input_error(list),
+      "scene.xml: scene > Output > Force curves > w: parameter \"support\" = \"top\": no support is named \"top\". "
+      "Valid here: bottom");
+}
+
+// An axis without a direction, a curve of one point.
+TEST(Output, DegenerateCurvesAreRefused) {
+  ParameterList axis = tube_scene();
+  axis.sublist("Output").set("axis direction", reals({0, 0, 0}));
+  EXPECT_THAT(input_error(axis), HasSubstr("parameter \"axis direction\" = {0, 0, 0}: must not be zero"));
+  ParameterList point = tube_scene();
+  point.sublist("Output").set("stations", 1);
+  EXPECT_THAT(input_error(point),
+              HasSubstr("parameter \"stations\" = 1: a curve needs at least 2 points; 0: no curve"));
+}
+
+// What needs a pressure needs a body.
+TEST(Output, PressureWithoutABodyIsRefused) {
+  ParameterList level = flat_scene();
+  level.sublist("Output").sublist("Levels").sublist("B").set("height", 20.0);
+  EXPECT_THAT(input_error(level), HasSubstr("scene > Output > Levels > B: parameter \"height\" = 20: the scene has no "
+                                            "list \"Body\", so there is no pressure"));
+  ParameterList check = flat_scene();
+  check.sublist("Checks").sublist("p").set("quantity", std::string("largest pressure")).set("upper", 1.0);
+  EXPECT_THAT(input_error(check), HasSubstr("scene > Checks > p: parameter \"quantity\" = \"largest pressure\": the "
+                                            "scene has no list \"Body\""));
+}
+
+}  // namespace
+}  // namespace toile::scene::test

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "toile/scene/scene.hpp"
+#include "toile/solve/fields.hpp"
+#include "toile/solve/simulation.hpp"
+
+namespace toile::test {
+
+/// Mean pressure, Laplace's T/r (kPa) and smallest principal stress (MPa) at a height.
+struct LegLevel {
+  double pressure = 0.0, laplace = 0.0, smallest_stress = 0.0;
+};
+
+/// A shipped scene of the pantyhose leg after its last stage.
+struct Leg {
+  std::unique_ptr<scene::Scene> scene;
+  solve::State state;
+  solve::Fields fields;
+  solve::StepReport report;
+
+  /// The garment cut at the levels of the scene's output: B, B1, C, D, F, G.
+  std::vector<LegLevel> levels() const;
+  /// Forces of the written pressure field, the supports and the pins: their sum over the sum of the magnitudes.
+  double imbalance() const;
+};
+
+/// The panels "front" and "back", each with `parameters`.
+std::string both_panels(const std::string& parameters);
+
+/// Runs input/`name` on a coarse mesh, on all ranks of MPI's world. `more`: lists that go before those of the scene.
+Leg run_leg(const std::string& name, const std::string& more = "");
+
+}  // namespace toile::test
