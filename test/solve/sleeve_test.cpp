@@ -179,7 +179,7 @@ TEST(Sleeve, DampedStepsReachAStateThatNewtonAloneDoesNot) {
   direct.set_start(closed_start(sleeve.problem));
   direct.run(stage(solve::StageType::settle));
   solve::SolverOptions few;
-  few.newton.max_iterations = 4;
+  few.newton.max_iterations = 3;
   few.newton.tolerance = 1e-6;
   solve::StageOptions settle = stage(solve::StageType::settle);
   solve::State rough = closed_start(sleeve.problem);  // rows crowded towards one end

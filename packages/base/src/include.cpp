@@ -111,7 +111,7 @@ Parameter include_parameter() {
       include_key, Type::texts, "",
       "Files (paths from the folder of this one) whose lists are read first, so that a variant of a scene holds only "
       "its difference. What this file says goes before what it includes, a later file before an earlier one. A list "
-      "with the parameter \"replace\" = true takes the place of the included list of its name",
+      "with the parameter \"replace\" = true takes the place of the included list of its name.",
       Texts{}};
 }
 
