@@ -1,8 +1,8 @@
 # Switches of the build. Optional packages are off only when somebody asks for it.
 option(TOILE_ENABLE_TESTS "Build the tests" ON)
 option(TOILE_ENABLE_BENCHMARKS "Build the benchmarks" ON)
-option(TOILE_ENABLE_BODY "Build the body and contact packages (needs CGAL)" ON)
-option(TOILE_ENABLE_RESULT "Build the result package (needs Exodus and HDF5)" ON)
+option(TOILE_ENABLE_BODY "Bodies and contact (needs CGAL, CHOLMOD, GSL)" ON)
+option(TOILE_ENABLE_RESULT "Exodus and HDF5 files; without them a run writes tables and plots only" ON)
 option(TOILE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
 option(TOILE_NATIVE "Tune the code for the processor it is built on" ON)
 set(TOILE_SANITIZERS "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")

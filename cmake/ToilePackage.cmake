@@ -34,10 +34,13 @@ function(toile_package name)
   set_property(GLOBAL APPEND PROPERTY TOILE_PACKAGES ${name})
 endfunction()
 
-# Adds packages/<name>, unless it was switched off by TOILE_ENABLE_<NAME>.
+# Adds packages/<name>; if it was switched off by TOILE_ENABLE_<NAME>, its stand-in packages/<name>/off, which needs none
+# of the package's libraries and refuses what it lacks.
 function(toile_add_package name)
   string(TOUPPER "TOILE_ENABLE_${name}" switch)
   if(NOT DEFINED ${switch} OR ${switch})
     add_subdirectory(packages/${name})
+  else()
+    add_subdirectory(packages/${name}/off)
   endif()
 endfunction()

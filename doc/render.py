@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Picture of a result: the garment coloured by a field, and the body beside it with the same field mapped on it.
 
-Usage: render.py result.exo picture.png [--field pressure] [--angle 30] [--step -1] [--up z]
+Usage: render.py result.exo picture.png [--field pressure] [--angle 30] [--step -1] [--up z] [--largest 1]
 
 Needs python3-vtk9; without a display also xvfb and xauth (see cmake/debian-packages.txt).
 """
@@ -28,6 +28,7 @@ def arguments():
     parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical (default: 30 degrees)")
     parser.add_argument("--step", type=int, default=-1, help="step of the run, counted from 0; -1: the last (default)")
     parser.add_argument("--up", choices="xyz", default="z", help="vertical axis (default: z)")
+    parser.add_argument("--largest", type=float, help="value of the brightest colour (default: the largest value)")
     parser.add_argument("--label", help="text at the colour bar (default: the field with its unit)")
     parser.add_argument("--height", type=int, default=1200, help="height of the picture in pixels (default: 1200)")
     return parser.parse_args()
@@ -135,7 +136,7 @@ def actor(vtk, grid, field=None, colours=None, in_front=False):
     if in_front:
         # The fabric lies so close to the body that coarse triangles of the body would show through.
         mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -40.0)
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -400.0)
     result = vtk.vtkActor()
     result.SetMapper(mapper)
     result.GetProperty().SetColor(*GREY)
@@ -195,6 +196,8 @@ def build_scene(vtk, blocks, options, label):
     renderer.SetBackground(1.0, 1.0, 1.0)
     garment = {name: grid for name, grid in blocks.items() if name != BODY}
     limits = value_range([grid for grid in garment.values() if has_field(grid, field)], field)
+    if options.largest is not None:
+        limits = (min(limits[0], options.largest), options.largest)
     colours = colour_map(vtk, limits)
     for grid in garment.values():
         renderer.AddActor(actor(vtk, grid, field if has_field(grid, field) else None, colours, in_front=True))

@@ -21,13 +21,13 @@ do for [fabric in "pantyhose T-shirt"] {
 }
 do for [fabric in "pantyhose T-shirt"] {
   r = fabric." rebar "; i = fabric." Itskov "
-  set title fabric.": width at mid length"
+  set title fabric.": length of the middle section"
   set ylabel "mm"
   set yrange [40:50]
   set key bottom left
-  plot for [d in "wale course bias"] "data/tensile.csv" using "stretch":(column(r.d." width [mm]")) \
+  plot for [d in "wale course bias"] "data/tensile.csv" using "stretch":(column(r.d." section [mm]")) \
          with lines lw 2 lc rgb value(d) title "rebar, ".d, \
-       for [d in "wale course bias"] "" using "stretch":(column(i.d." width [mm]")) \
+       for [d in "wale course bias"] "" using "stretch":(column(i.d." section [mm]")) \
          with lines lw 2 dt 2 lc rgb value(d) title "Itskov, ".d
 }
 unset multiplot

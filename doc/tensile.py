@@ -3,7 +3,7 @@
 
 Usage: tensile.py FOLDER table.csv        (FOLDER/wale/force-curves.csv, ...)
 
-Force in N of a strip 50 mm wide and 1 mm thick; width in mm at mid length, 50 at the start.
+Force in N of a strip 50 mm wide and 1 mm thick; length in mm of the middle section, 50 at the start (in the bias it turns: it is longer than the strip is wide).
 """
 
 import csv
@@ -15,7 +15,7 @@ STRETCHES = [1.0 + 0.025 * k for k in range(17)]
 
 
 def read(path):
-    """Force and width of every strip by its stretch; of repeated steps the last."""
+    """Force and middle section of every strip by its stretch; of repeated steps the last."""
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     curves = {}
@@ -23,7 +23,7 @@ def read(path):
         for row in rows:
             stretch = round(float(row[f"{strip}: stretch"]), 9)
             curves.setdefault(strip, {})[stretch] = (
-                float(row[f"{strip}: force [N]"]), float(row[f"{strip}: width at mid length [mm]"]))
+                float(row[f"{strip}: force [N]"]), float(row[f"{strip}: middle section [mm]"]))
     return curves
 
 
@@ -34,7 +34,7 @@ def main():
         for strip, curve in read(f"{folder}/{direction}/force-curves.csv").items():
             points = [curve[round(stretch, 9)] for stretch in STRETCHES]
             columns[f"{strip} {direction} force [N]"] = [force for force, _ in points]
-            columns[f"{strip} {direction} width [mm]"] = [width for _, width in points]
+            columns[f"{strip} {direction} section [mm]"] = [width for _, width in points]
     with open(table, "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["stretch"] + list(columns))

@@ -73,9 +73,10 @@ TEST(Material, defaults_and_missing_parameters) {
   list.set("type", "rebar");
   list.set("C10", 0.01);
   list.set("c0", 0.1);
-  EXPECT_EQ(refusal(list),
-            "fabric.xml: Material: missing parameter \"d0\" of material \"rebar\", expected a double in MPa: course "
-            "modulus, coefficient of e^0. Or fill all parameters with \"set\" = \"pantyhose\" or \"t-shirt\"");
+  EXPECT_EQ(
+      refusal(list),
+      "fabric.xml: material: missing parameter \"d0\" of material \"rebar\", expected a double in MPa: "
+      "Coefficient of e^0 in the course modulus. Or fill all parameters with \"set\" = \"pantyhose\" or \"t-shirt\"");
   list.set("d0", 0.05);
   const Material material = make(list);
   EXPECT_EQ(value(material, "d0"), 0.05);
@@ -102,7 +103,7 @@ TEST(Material, weights_as_printed) {
   auto list = entry("itskov", "t-shirt as printed");
   EXPECT_EQ(
       refusal(list),
-      "fabric.xml: Material: parameter \"set\" = \"t-shirt as printed\": parameter \"w2_2\": the weights of term 2 "
+      "fabric.xml: material: parameter \"set\" = \"t-shirt as printed\": parameter \"w2_2\": the weights of term 2 "
       "add up to 1.02, so w_3 = 1 - w_1 - w_2 = -0.02 is negative: J can turn negative and the energy is not "
       "polyconvex; set \"normalise weights\" to true to divide the weights by their sum");
   list.set("normalise weights", true);

@@ -136,7 +136,7 @@ TEST(FourSided, FoldedMapIsRefused) {
     mesh_four_sided("sleeve", sides, options(8, 8));
     FAIL() << "no error";
   } catch (const base::InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("panel 'sleeve' overlaps itself near ("),
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("panel \"sleeve\" overlaps itself near ("),
                                     HasSubstr("an element is turned over there"), HasSubstr("split it")));
   }
 }

@@ -54,7 +54,6 @@ TEST(Thigh, PressureNoiseOfFacets) {
   o.l0 = 70.0;
   o.from = 600.0;
   o.to = 680.0;
-  o.hold_bottom = getenv("HB") ? getenv("HB") : "z";
   o.axis = {centre.x(), centre.y()};
   o.around = 160;
   o.along = 24;

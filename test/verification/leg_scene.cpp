@@ -39,7 +39,7 @@ class SceneFile {
 };
 
 std::string coarse_panels(const std::string& name) {
-  const std::string along = "<Parameter name=\"elements along\" type=\"int\" value=\"48\"/>";
+  const std::string along = "<Parameter name=\"elements along\" type=\"int\" value=\"96\"/>";
   const std::string across = "<Parameter name=\"elements across\" type=\"int\" value=";
   if (name.find("one-panel") == std::string::npos) return both_panels(along + across + "\"12\"/>");
   return "<ParameterList name=\"Panels\"><ParameterList name=\"leg\">" + along + across +

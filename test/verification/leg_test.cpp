@@ -117,10 +117,14 @@ TEST(PantyhoseLeg, RealLeg) {
   expect_decreasing(level);
   EXPECT_NEAR(level[B].pressure, 0.97, 0.1);
   EXPECT_NEAR(level[C].pressure, 0.43, 0.06);
+  int lifted = 0;
   for (size_t n = 0; n < leg.fields.pressure.size(); ++n) {
-    EXPECT_GE(leg.fields.pressure[n], 0.0);
-    if (leg.fields.gap[n] > 1e-3) EXPECT_EQ(leg.fields.pressure[n], 0.0) << "pressure across a gap at node " << n;
+    EXPECT_GE(leg.fields.pressure[n], 0.0) << "node " << n;
+    if (leg.fields.gap[n] <= 1e-3) continue;
+    ++lifted;
+    EXPECT_EQ(leg.fields.pressure[n], 0.0) << "pressure across a gap at node " << n;
   }
+  EXPECT_GT(lifted, 0);
 }
 
 }  // namespace

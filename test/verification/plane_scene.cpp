@@ -15,7 +15,9 @@ using Teuchos::ParameterList;
 
 constexpr double cook_modulus = 80.1938;  // MPa
 
-Teuchos::Array<double> reals(std::initializer_list<double> values) { return Teuchos::Array<double>(values); }
+Teuchos::Array<double> reals(std::initializer_list<double> values) {
+  return Teuchos::Array<double>(values);
+}
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> words;
@@ -104,7 +106,9 @@ solve::Vec3 PlaneRun::displacement(int node) const {
   return states.back().position[node] - scene->garment().mesh.placed[node];
 }
 
-const std::vector<int>& PlaneRun::edge(const std::string& name) const { return scene->garment().mesh.edges.at(name); }
+const std::vector<int>& PlaneRun::edge(const std::string& name) const {
+  return scene->garment().mesh.edges.at(name);
+}
 
 solve::Vec3 PlaneRun::reaction(const std::string& support, size_t step) const {
   const std::vector<solve::Support>& supports = scene->problem().supports;
@@ -127,6 +131,8 @@ PlaneRun run(const base::List& list) {
   return run;
 }
 
-PlaneRun run(const ParameterList& list) { return run(base::validate(list, scene::scene_spec(), "plane.xml")); }
+PlaneRun run(const ParameterList& list) {
+  return run(base::validate(list, scene::scene_spec(), "plane.xml"));
+}
 
 }  // namespace toile::test

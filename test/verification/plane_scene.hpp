@@ -32,7 +32,8 @@ struct PlaneMesh {
 /// are those of the row.
 Teuchos::ParameterList cook_list(const PlaneCase& row, const PlaneMesh& mesh);
 
-/// Strip 150 x 50 mm along x, ends "left" and "right" clamped, pulled along x; material, wale and stretch are the row's.
+/// Strip 150 x 50 mm along x, ends "left" and "right" clamped, pulled along x; material, wale and stretch are the
+/// row's.
 Teuchos::ParameterList strip_list(const PlaneCase& row, const PlaneMesh& mesh);
 
 /// A scene and what it reported at each accepted step, on all ranks of MPI's world.

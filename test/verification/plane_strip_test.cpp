@@ -17,7 +17,8 @@ Strip strip(const PlaneCase& row, const PlaneMesh& mesh) {
   const PlaneRun result = run(strip_list(row, mesh));
   const size_t middle = static_cast<size_t>(mesh.across) / 2;
   const auto& position = result.states.back().position;
-  const solve::Vec3 section = position[result.edge("sheet.top")[middle]] - position[result.edge("sheet.bottom")[middle]];
+  const solve::Vec3 section =
+      position[result.edge("sheet.top")[middle]] - position[result.edge("sheet.bottom")[middle]];
   return {result.reaction("right", result.last()), section.y(), section.x()};
 }
 
@@ -47,7 +48,8 @@ TEST(Strip, GradedMeshAgreesWithTheReferenceForEveryFabricAndDirection) {
   for (const PlaneCase& row : plane_cases("strips")) {
     if (row["stretch"] != 1.4 && row["stretch"] != 1.1) continue;
     const Strip found = strip(row, {60, 20, 2.0});
-    const std::string what = row.material + ", wale " + std::to_string(row["wale"]) + ", stretch " + std::to_string(row["stretch"]);
+    const std::string what =
+        row.material + ", wale " + std::to_string(row["wale"]) + ", stretch " + std::to_string(row["stretch"]);
     EXPECT_NEAR(found.force.x(), row["Fx"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.force.y(), row["Fy"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.width, row["width"], 0.001 * row["width"]) << what;

@@ -35,18 +35,22 @@ std::vector<double> turning(const body::Surface& surface, std::vector<Vec3> ring
 
 std::vector<double> short_waves(const std::vector<Vec3>& ring, const std::vector<double>& values, double wavelength) {
   const size_t n = values.size();
-  const auto last = static_cast<size_t>(girth(ring) / wavelength);
-  std::vector<double> mean(n, 0.0);
-  for (size_t k = 0; k <= last && 2 * k < n; ++k) {
-    std::complex<double> c = 0.0;
+  const double waves = girth(ring) / wavelength;
+  std::vector<double> noise = values;
+  for (size_t k = 0; static_cast<double>(k) <= waves && 2 * k < n; ++k) {
     const auto wave = [&](size_t i) {
       return std::polar(1.0, 2.0 * M_PI * static_cast<double>(k * i) / static_cast<double>(n));
     };
+    std::complex<double> c = 0.0;
     for (size_t i = 0; i < n; ++i) c += values[i] * std::conj(wave(i)) / static_cast<double>(n);
-    for (size_t i = 0; i < n; ++i) mean[i] += (k == 0 ? 1.0 : 2.0) * (c * wave(i)).real();
+    for (size_t i = 0; i < n; ++i) noise[i] -= (k == 0 ? 1.0 : 2.0) * (c * wave(i)).real();
   }
-  std::vector<double> noise;
-  for (size_t i = 0; i < n; ++i) noise.push_back(values[i] / mean[i] - 1.0);
+  const auto half = static_cast<size_t>(static_cast<double>(n) / waves);
+  for (size_t i = 0; i < n; ++i) {
+    double mean = 0.0;
+    for (size_t m = 0; m <= 2 * half; ++m) mean += values[(i + n - half + m) % n] / static_cast<double>(2 * half + 1);
+    noise[i] /= mean;
+  }
   return noise;
 }
 

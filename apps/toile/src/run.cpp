@@ -12,6 +12,7 @@
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
 #include "toile/base/progress.hpp"
+#include "toile/result/available.hpp"
 
 namespace toile::app {
 
@@ -41,6 +42,7 @@ void on_first_rank(const F& work) {
 /// What is on disk after a stage failed.
 std::string kept_text(const Recorder& recorder, const std::string& folder) {
   if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
+  if (!result::files_available()) return "";
   return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
          folder + "/results.exo, and in " + folder + "/restart.h5.";
 }
@@ -80,6 +82,9 @@ int run(const RunArguments& arguments) {
   on_first_rank([&] { recorder.emplace(scene, folder); });
   log.info(scene.title() + "\n" + std::to_string(scene.garment().mesh.nodes()) + " nodes, " +
            std::to_string(comm->getSize()) + " rank(s), results in " + folder);
+
+  if (!result::files_available())
+    log.warn("this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
 
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());

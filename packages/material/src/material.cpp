@@ -45,7 +45,7 @@ double given_value(const ParamInfo& info, const base::List& list) {
                      law.name + "\", expected a double" + (*info.unit ? std::string(" in ") + info.unit : "") + ": " +
                      info.text;
   for (int i = 0; i < law.n_sets; ++i)
-    text += std::string(i == 0 ? ". Or fill all parameters with \"set\" = " : " or ") + "\"" + law.sets[i].name + "\"";
+    text += std::string(i == 0 ? " Or fill all parameters with \"set\" = " : " or ") + "\"" + law.sets[i].name + "\"";
   throw base::InputError(text);
 }
 

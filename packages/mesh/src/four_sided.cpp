@@ -135,7 +135,7 @@ Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const Gri
   if (options.distortion > 0.0) distort(grid, options.distortion);
   if (const auto at = find_turned_corner(grid)) {
     std::ostringstream text;
-    text << "panel '" << panel << "' overlaps itself near (" << at->x() << ", " << at->y()
+    text << "panel \"" << panel << "\" overlaps itself near (" << at->x() << ", " << at->y()
          << "): an element is turned over there. The sides of a four-sided panel must not bend so far that the lines "
             "between opposite sides cross; move its corners or split it.";
     throw base::InputError(text.str());

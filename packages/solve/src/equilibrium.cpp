@@ -169,6 +169,12 @@ void Equilibrium::find_open_seams() {
 }
 
 contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) const {
+  const std::array<LocalId, 3>& dof = layout_.dof[c];
+  if (std::all_of(dof.begin(), dof.end(), [](LocalId d) { return d < 0; })) {
+    contact::NodeContact held;  // its support carries it, wherever it lies
+    held.complementarity = multiplier / stiffness_;
+    return held;
+  }
   const double open = 1.0 - drive_.seam(s);
   const Vec3 x = cluster_position(static_cast<size_t>(c)) + open * mean_separation_[c];
   return contact::evaluate(*problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
@@ -264,16 +270,18 @@ void Equilibrium::linearise(const Vector& z, double s) {
 }
 
 // A direction of descent needs a positive definite tangent: as long as the factorisation shows negative pivots, a
-// multiple of the lumped area is added. In a stable equilibrium none is left, and the shift is gone.
+// multiple of the lumped area is added. In a stable equilibrium none is left, and the shift is gone. It starts small: a
+// tube of even fabric that slides round a body along itself changes its energy by its discretisation error only, and a
+// larger shift lets it creep.
 void Equilibrium::factorise_positive() {
   if (!linear_.is_fresh()) return;
   unshifted_pivots_ = linear_.negative_pivots();
   if (unshifted_pivots_ == 0) return;
   double* values = projected_->getLocalMatrixHost().values.data();
-  const double least = 1e-4 * std::abs(mean_diagonal_) / mean_mass_;
+  const double least = 1e-8 * std::abs(mean_diagonal_) / mean_mass_;
   double added = 0.0;
-  for (double shift = std::max(least, 0.25 * last_shift_); linear_.negative_pivots() > 0 && shift < 1e8 * least;
-       shift *= 4.0) {
+  for (double shift = std::max(least, 0.1 * last_shift_); linear_.negative_pivots() > 0 && shift < 1e12 * least;
+       shift *= 10.0) {
     add_to_diagonal(shift - added, values);
     added = last_shift_ = shift;
     linear_.update(true);
@@ -297,7 +305,9 @@ bool Equilibrium::solve(const Vector& b, Vector& dz) {
     projection_.project(rhs);
     rhs.update(k, normal_step, 1.0);
   }
-  if (!linear_.solve(rhs, *dx)) {
+  // An ascent shows a tangent that is not positive definite, which a kept factorisation cannot tell.
+  const auto descends = [&] { return rhs.dot(*dx) > k * normal_step.dot(normal_step); };
+  if (!linear_.solve(rhs, *dx) || (!linear_.is_fresh() && !descends())) {
     if (linear_.is_fresh()) return false;
     linear_.update(true);
     factorise_positive();
