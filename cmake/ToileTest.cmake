@@ -2,6 +2,9 @@
 #
 # One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
 # under mpirun, and its main initialises MPI. Label "fast" marks what the sanitizer build runs.
+# Tests run side by side: ranks must not be bound to the same cores, nor spin while they wait.
+set(TOILE_MPIRUN ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
+
 if(TOILE_ENABLE_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)
@@ -28,7 +31,7 @@ function(toile_test name)
   target_link_libraries(${name} PRIVATE toile_lib_tpetra)
   foreach(ranks IN LISTS arg_RANKS)
     add_test(NAME ${name}_np${ranks}
-      COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe -n ${ranks} $<TARGET_FILE:${name}>)
+      COMMAND ${TOILE_MPIRUN} -n ${ranks} $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_np${ranks} PROPERTIES TIMEOUT ${arg_TIMEOUT} PROCESSORS ${ranks} LABELS "${arg_LABELS}"
       ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1")
   endforeach()

@@ -3,7 +3,8 @@
 
 Usage: tensile.py FOLDER table.csv        (FOLDER/wale/force-curves.csv, ...)
 
-Force in N of a strip 50 mm wide and 1 mm thick; length in mm of the middle section, 50 at the start (in the bias it turns: it is longer than the strip is wide).
+Force in N of a strip 50 mm wide and 1 mm thick; length in mm of the middle section, 50 at the start (in the bias it
+turns and is longer than the strip is wide).
 """
 
 import csv

@@ -36,7 +36,9 @@ ProgramTest::~ProgramTest() {
 
 Outcome ProgramTest::toile(const std::string& arguments, int ranks) const {
   std::string command = "cd '" + folder_ + "' && ";
-  if (ranks > 0) command += TOILE_MPIEXEC " --allow-run-as-root --oversubscribe -n " + std::to_string(ranks) + " ";
+  if (ranks > 0)
+    command += TOILE_MPIEXEC " --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 -n " +
+               std::to_string(ranks) + " ";
   command += "'" TOILE_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out.txt"), read("err.txt")};

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -138,12 +139,13 @@ TEST(PressureLines, WritesCsv) {
   EXPECT_EQ(line,
             "level,height [mm],mean pressure [kPa],mean pressure [mmHg],smallest pressure [kPa],"
             "smallest pressure [mmHg],largest pressure [kPa],largest pressure [mmHg],Laplace T/r [kPa],"
-            "Laplace T/r [mmHg],girth [mm],mean radius [mm],hoop tension T [N/mm],smallest principal stress [MPa]");
+            "Laplace T/r [mmHg],girth [mm],mean radius [mm],hoop tension T [N/mm],smallest principal stress [MPa],"
+            "at a support");
   std::getline(text, line);
   EXPECT_THAT(line, ::testing::StartsWith("B,250,1,7.50062,1,7.50062,1,7.50062,1.094"));
-  EXPECT_THAT(line, ::testing::EndsWith(",0.06,0.02"));
+  EXPECT_THAT(line, ::testing::EndsWith(",0.06,0.02,0"));
   std::getline(text, line);
-  EXPECT_EQ(line, "G,500,,,,,,,,,0,,,");
+  EXPECT_EQ(line, "G,500,,,,,,,,,0,,,,0");
   EXPECT_FALSE(std::getline(text, line));
 }
 
@@ -159,6 +161,20 @@ TEST(PressureLines, PlotMarksTheLevels) {
   EXPECT_THAT(plot.series[2].labels, ::testing::ElementsAre("B"));
   EXPECT_NEAR(plot.series[2].y[0], 1.0, 1e-12);
   EXPECT_NEAR(plot.second_axis->factor, 7.50062, 1e-9);
+}
+
+// Where a support ends, the rows are marked and the plot leaves their pressure out, but not Laplace's estimate.
+TEST(PressureLines, MarksSectionsAtSupports) {
+  Cone cone;
+  cone.fields.at_support.assign(static_cast<std::size_t>(cone.mesh.elements()), false);
+  std::fill_n(cone.fields.at_support.begin(), around, true);  // the lowest row, 100 to 120 mm
+  const std::vector<LevelRow> rows = levels(cone.fields, Axis(), {{"in", 110.0}, {"out", 130.0}});
+  EXPECT_TRUE(rows[0].at_support);
+  EXPECT_FALSE(rows[1].at_support);
+  const Plot plot = pressure_plot("cone", pressure_curve(cone.fields, Axis(), 31), {});
+  EXPECT_TRUE(std::isnan(plot.series[0].y[1]));
+  EXPECT_TRUE(std::isfinite(plot.series[0].y[5]));
+  EXPECT_TRUE(std::isfinite(plot.series[1].y[1]));
 }
 
 // A table that cannot be written is reported with path and reason.

@@ -79,5 +79,21 @@ INSTANTIATE_TEST_SUITE_P(Contact, SleeveOfRevolution,
                                          "sphere_free_rebar", "sphere_free_itskov"),
                          test_name);
 
+// Nodes that a support holds in every direction off the body carry no pressure and do not stop the solution.
+TEST(HeldEnd, CarriesNoPressureOffTheBody) {
+  SleeveOptions o;
+  o.body = body_list("cylinder").set("radius", 60.0);
+  o.to = 110.0;
+  o.offset = 0.5;
+  o.hold_bottom = o.hold_top = "xyz";
+  const Sleeve sleeve = settle(o);
+  expect_balanced(sleeve);
+  for (int i = 0; i < o.around; ++i) {
+    EXPECT_EQ(sleeve.pressure(i, 0), 0.0);
+    EXPECT_NEAR(sleeve.position(i, 0).head<2>().norm(), 60.5, 1e-6);
+    EXPECT_GT(sleeve.pressure(i, o.along / 2), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -72,6 +72,22 @@ std::vector<double> element_field(const solve::Fields& fields, const std::string
   return concatenate(fields, static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
 }
 
+/// [element] true where some nodes are held by a support and others are not.
+std::vector<bool> elements_at_supports(const scene::Scene& scene) {
+  const mesh::Mesh& mesh = scene.garment().mesh;
+  std::vector<bool> held(static_cast<size_t>(mesh.nodes()), false), at_support;
+  for (const solve::Support& support : scene.problem().supports)
+    for (const int n : support.nodes) held[n] = true;
+  for (const mesh::Block& block : mesh.blocks) {
+    const int per = block.nodes_per_element;
+    for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += per) {
+      const auto count = std::count_if(node, node + per, [&](int n) { return held[n]; });
+      at_support.push_back(count > 0 && count < per);
+    }
+  }
+  return at_support;
+}
+
 }  // namespace
 
 Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene_(scene), folder_(folder) {
@@ -155,8 +171,12 @@ void Recorder::finish(base::Log& log) {
 
 void Recorder::write_pressure(base::Log& log) const {
   const scene::Output& output = scene_.output();
-  const result::GarmentFields garment{&scene_.garment().mesh, fields_.position, fields_.pressure,
-                                      element_field(fields_, "tension_course"), element_field(fields_, "cauchy_minor")};
+  const result::GarmentFields garment{&scene_.garment().mesh,
+                                      fields_.position,
+                                      fields_.pressure,
+                                      element_field(fields_, "tension_course"),
+                                      element_field(fields_, "cauchy_minor"),
+                                      elements_at_supports(scene_)};
   const result::Axis axis{output.axis_point, output.axis_direction};
   std::vector<result::LevelRow> curve, rows;
   if (output.stations > 0) {

@@ -112,7 +112,8 @@ int run(const RunArguments& arguments) {
       recorder->finish(log);
     }
     const solve::StepReport& last = recorder->reports().back();
-    for (const std::string& note : simulation.notes()) log.warn(note);
+    for (const std::string& note : simulation.notes()) log.info("note: " + note);
+    for (const std::string& warning : simulation.warnings()) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
     failed = failed_checks(scene, figures_of(recorder->last(), last));
     std::string all;

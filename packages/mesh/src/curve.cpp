@@ -36,7 +36,7 @@ std::vector<Vec2> natural_second_derivatives(const std::vector<double>& knots, c
 
 }  // namespace
 
-Curve::Curve(std::vector<Vec2> points, Interpolation interpolation)
+Curve::Curve(const std::vector<Vec2>& points, Interpolation interpolation)
     : Curve(points, interpolation, chord_lengths(points)) {}
 
 Curve::Curve(std::vector<Vec2> points, Interpolation interpolation, std::vector<double> parameters)

@@ -54,7 +54,7 @@ std::optional<Vec2> find_self_intersection(const std::vector<Vec2>& polygon) {
     if (folds_back(a, b, polygon[(i + 2) % n])) return b;
     for (std::size_t k = i + 2; k < n; ++k) {
       if (i == 0 && k == n - 1) continue;  // neighbours across the closing point
-      if (const auto point = intersection(a, b, polygon[k], polygon[(k + 1) % n])) return point;
+      if (auto point = intersection(a, b, polygon[k], polygon[(k + 1) % n])) return point;
     }
   }
   return std::nullopt;

@@ -85,7 +85,7 @@ ExodusWriter::ExodusWriter(const std::string& path, const mesh::Mesh& garment, c
   for (const mesh::Block& block : garment.blocks) {
     block_sizes_.push_back(block.size());
   }
-  const auto nodes = static_cast<std::size_t>(garment_nodes_ + body_nodes_);
+  const auto nodes = static_cast<std::size_t>(garment_nodes_) + static_cast<std::size_t>(body_nodes_);
   pattern_x_.resize(nodes, 0.0);
   pattern_y_.resize(nodes, 0.0);
   for (std::size_t i = 0; i < garment.pattern.size(); ++i) {

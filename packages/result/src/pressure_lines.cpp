@@ -112,6 +112,7 @@ LevelRow Cutter::row(const std::string& name, double height) const {
     tension += length * garment_.hoop_tension[element];
     row.pressure_min = std::min(row.pressure_min, low);
     row.pressure_max = std::max(row.pressure_max, high);
+    row.at_support = row.at_support || (!garment_.at_support.empty() && garment_.at_support[element]);
     row.smallest_stress = std::min(row.smallest_stress, garment_.smallest_stress[element]);
   }
   if (row.girth <= 0.0) {

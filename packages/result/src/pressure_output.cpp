@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 
 #include "toile/result/csv.hpp"
 #include "toile/result/pressure_lines.hpp"
@@ -51,6 +52,7 @@ void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& ro
   table.columns.push_back(column("hoop tension T", "N/mm", rows, [](const LevelRow& r) { return r.hoop_tension; }));
   table.columns.push_back(
       column("smallest principal stress", "MPa", rows, [](const LevelRow& r) { return r.smallest_stress; }));
+  table.columns.push_back(column("at a support", "", rows, [](const LevelRow& r) { return r.at_support ? 1.0 : 0.0; }));
   write_csv(path, table);
 }
 
@@ -61,7 +63,11 @@ Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve,
   plot.y_label = "contact pressure (kPa)";
   plot.second_axis = SecondAxis{"contact pressure (mmHg)", mmhg_per_kpa};
   plot.y_from_zero = true;
-  plot.series.push_back(series("mean contact pressure", curve, &LevelRow::pressure_mean));
+  std::vector<LevelRow> clear = curve;
+  for (LevelRow& row : clear) {
+    if (row.at_support) row.pressure_mean = std::numeric_limits<double>::quiet_NaN();
+  }
+  plot.series.push_back(series("mean contact pressure", clear, &LevelRow::pressure_mean));
   plot.series.push_back(series("Laplace T/r", curve, &LevelRow::laplace));
   std::vector<LevelRow> reached;
   std::copy_if(levels.begin(), levels.end(), std::back_inserter(reached),

@@ -36,7 +36,7 @@ struct Imbalance {
 /// components of the clusters' positions, one contact multiplier per cluster) and of the stage's parameter s.
 class Equilibrium {
  public:
-  Equilibrium(const Problem& problem, const State& start, std::vector<std::array<HeldComponent, 3>> held,
+  Equilibrium(const Problem& problem, const State& start, const std::vector<std::array<HeldComponent, 3>>& held,
               const Drive& drive, const SolverOptions& options, RCP<const Comm> comm);
 
   const RCP<const Map>& map() const { return layout_.state_map; }

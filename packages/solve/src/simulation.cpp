@@ -58,7 +58,7 @@ struct Simulation::Data {
   Observer observer;
   State state;
   SolveStatistics statistics;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes, warnings;
   std::set<std::string> released;
   Clock::time_point start = Clock::now();
   bool started = false;
@@ -108,6 +108,9 @@ const SolveStatistics& Simulation::statistics() const {
 const std::vector<std::string>& Simulation::notes() const {
   return data_->notes;
 }
+const std::vector<std::string>& Simulation::warnings() const {
+  return data_->warnings;
+}
 
 void Simulation::Data::build() {
   released.insert(stage.released.begin(), stage.released.end());
@@ -121,7 +124,7 @@ void Simulation::Data::build() {
     notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
                     "; one component of one node is held against it");
   }
-  equilibrium = std::make_shared<Equilibrium>(problem, state, std::move(held), drive, options, comm);
+  equilibrium = std::make_shared<Equilibrium>(problem, state, held, drive, options, comm);
   z = equilibrium->start_vector();
   equilibrium->update_offsets(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
@@ -304,10 +307,10 @@ void Simulation::run(const StageOptions& stage) {
   d.accept(1.0, d.equilibrium->imbalance(f), true);
   d.statistics.linear_iterations += d.equilibrium->linear().iterations();
   d.statistics.factorisations += d.equilibrium->linear().factorisations();
-  if (d.state.seam > 0.0 && d.dissipated > stage.damping.limit * d.largest_energy)
-    d.notes.push_back("stage \"" + stage.name +
-                      "\": the damping dissipated more than the limit; its path was not "
-                      "quasi-static (the final state is undamped)");
+  if (stage.damping.active && d.dissipated > stage.damping.limit * d.largest_energy)
+    d.warnings.push_back("stage \"" + stage.name +
+                         "\": the damping dissipated more than the limit; its path was not "
+                         "quasi-static (the final state is undamped)");
 }
 
 }  // namespace toile::solve

@@ -15,7 +15,7 @@ enum class Interpolation { smooth, polyline };
 class Curve {
  public:
   /// At least two points (mm), neighbours distinct. The parameter of the spline is the chord length.
-  Curve(std::vector<Vec2> points, Interpolation interpolation);
+  Curve(const std::vector<Vec2>& points, Interpolation interpolation);
   /// Same with the parameter values of the points, strictly increasing: a coordinate that is linear in them stays so.
   Curve(std::vector<Vec2> points, Interpolation interpolation, std::vector<double> parameters);
 

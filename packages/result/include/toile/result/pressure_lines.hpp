@@ -27,6 +27,9 @@ struct GarmentFields {
   std::vector<double> pressure;         ///< [node] contact pressure, MPa
   std::vector<double> hoop_tension;     ///< [element] force per length across the section, N/mm
   std::vector<double> smallest_stress;  ///< [element] smallest principal Cauchy stress, MPa
+  /// [element] true where a support ends: a held node passes the tension on to the body as a line force, so the
+  /// pressure there depends on the mesh. Empty: nowhere.
+  std::vector<bool> at_support = {};
 };
 
 /// The garment cut by the plane at one height. Means are weighted by length. All but name, height, girth and turn are
@@ -43,6 +46,7 @@ struct LevelRow {
   double hoop_tension = 0.0;     ///< mean T, N/mm
   double laplace = 0.0;          ///< T / radius, MPa: Laplace's law for a tube without curvature along it
   double smallest_stress = 0.0;  ///< smallest value that the section meets, MPa
+  bool at_support = false;       ///< the section meets an element where a support ends: its pressure tells nothing
 };
 
 /// One row a level, in their order.
@@ -55,8 +59,8 @@ std::vector<LevelRow> pressure_curve(const GarmentFields& garment, const Axis& a
 /// The rows as CSV, pressures in kPa and mmHg; a value that does not exist is an empty cell. Throws InputError.
 void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows);
 
-/// Mean pressure and Laplace's T/r along the axis in kPa, with mmHg on the right, and a marker at each level that the
-/// garment reaches.
+/// Mean pressure (left out at supports) and Laplace's T/r along the axis in kPa, with mmHg on the right, and a marker
+/// at each level that the garment reaches.
 Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve, const std::vector<LevelRow>& levels);
 
 }  // namespace toile::result

@@ -72,8 +72,10 @@ class Simulation {
 
   const State& state() const;
   const SolveStatistics& statistics() const;
-  /// What the run has to tell: null motions that were pinned, a path that was not quasi-static, ...
+  /// What is good to know: null motions that were held.
   const std::vector<std::string>& notes() const;
+  /// What limits the trust in the result: a path that was not quasi-static.
+  const std::vector<std::string>& warnings() const;
 
  private:
   struct Data;

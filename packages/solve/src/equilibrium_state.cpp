@@ -1,0 +1,172 @@
+// What is asked of an equilibrium between steps: states, forces, damping and offsets.
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "equilibrium.hpp"
+
+namespace toile::solve {
+
+RCP<Vector> Equilibrium::vector_of(const State& state) const {
+  const RCP<Vector> z = rcp(new Vector(layout_.state_map));
+  auto data = z->getDataNonConst();
+  for (int c = 0; c < layout_.owned_clusters; ++c)
+    for (int i = 0; i < 3; ++i)
+      if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = state.position[layout_.clusters[c]][i];
+  const size_t first = layout_.dof_map->getNodeNumElements();
+  for (size_t c = 0; c < multipliers(); ++c) data[first + c] = state.contact_force[layout_.clusters[c]];
+  return z;
+}
+
+int Equilibrium::global_contact_nodes() const {
+  return static_cast<int>(layout_.state_map->getGlobalNumElements() - layout_.dof_map->getGlobalNumElements());
+}
+
+Imbalance Equilibrium::imbalance(const Vector& f) const {
+  double mine[2] = {0.0, 0.0};
+  const auto data = f.getData();
+  for (int c = 0; c < layout_.owned_clusters; ++c)
+    for (int d = 0; d < 3; ++d) {
+      if (layout_.dof[c][d] < 0) continue;
+      const double scale = magnitude_[3 * static_cast<size_t>(c) + d];
+      mine[0] += data[layout_.dof[c][d]] * data[layout_.dof[c][d]];
+      mine[1] += scale * scale;
+    }
+  double gap = 0.0;
+  for (size_t i = layout_.dof_map->getNodeNumElements(); i < static_cast<size_t>(data.size()); ++i)
+    gap = std::isnan(data[i]) ? data[i] : std::max(gap, std::abs(data[i]));
+  Imbalance all;
+  double sums[2], largest = 0.0;
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 2, mine, sums);
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, gap, Teuchos::outArg(largest));
+  all.force = std::sqrt(sums[0]);
+  // A garment at rest has only the forces of rounded positions: those of 1e-12 mm at every node (with the default
+  // tolerance) are no imbalance.
+  constexpr double resting = 1e-2;  // mm
+  all.force_scale = std::max(std::sqrt(sums[1]), resting * diagonal_norm_);
+  all.gap = largest;
+  return all;
+}
+
+void Equilibrium::start_step(const Vector& converged, double s) {
+  positions(converged, s);
+  x_previous_ = x_;
+  s_previous_ = s;
+  want_fresh_ = true;
+}
+
+double Equilibrium::dissipation(const Vector& z, double s) {
+  positions(z, s);
+  double total = 0.0;
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    for (int d = 0; d < 3; ++d) {
+      const double step = x_[3 * n + d] - x_previous_[3 * n + d];
+      total += mass_[n] * step * step;
+    }
+  }
+  return damping_ / interval(s) * sum(total);
+}
+
+double Equilibrium::update_offsets(const Vector& z, double s, double tolerance) {
+  if (!layout_.contact || !problem_.contact.offset_by_half_thickness) return 0.0;
+  positions(z, s);
+  const std::vector<double> thickness = elements_.nodal_thickness(x_);
+  std::vector<double> sum_of(layout_.clusters.size(), 0.0), count(layout_.clusters.size(), 0.0);
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    sum_of[layout_.node_cluster[n]] += thickness[n];
+    count[layout_.node_cluster[n]] += 1.0;
+  }
+  std::vector<double> updated(offset_.size());
+  double mine = 0.0, largest = 0.0;
+  for (size_t i = 0; i < offset_.size(); ++i) {
+    updated[i] = 0.5 * sum_of[i] / count[i];
+    mine = std::max(mine, std::abs(updated[i] - offset_[i]));
+  }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  if (largest <= tolerance) return 0.0;
+  offset_ = std::move(updated);
+  want_fresh_ = true;
+  return largest;
+}
+
+void Equilibrium::balance_multipliers(Vector& z, double s) {
+  positions(z, s);
+  const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
+  constexpr double touching = 2.0;  // mm: placed nodes this near are taken to lie on the body
+  auto data = z.getDataNonConst();
+  const size_t first = layout_.dof_map->getNodeNumElements();
+  for (size_t i = 0; i < multipliers(); ++i) {
+    const Vec3 internal(sums.force[3 * i], sums.force[3 * i + 1], sums.force[3 * i + 2]);
+    data[first + i] = contact::balancing_multiplier(contact(static_cast<int>(i), s, 0.0), internal, touching);
+    if (data[first + i] > 0.0) retract_cluster(i, s, data.getRawPtr());
+  }
+}
+
+State Equilibrium::state(const Vector& z, double s) {
+  positions(z, s);
+  State state;
+  const size_t clusters = problem_.clusters.size();
+  std::vector<double> mine(5 * clusters, 0.0), all(mine.size());
+  const auto data = z.getData();
+  const size_t first = layout_.dof_map->getNodeNumElements();
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const size_t global = static_cast<size_t>(layout_.clusters[c]);
+    for (int i = 0; i < 3; ++i)
+      mine[3 * global + static_cast<size_t>(i)] =
+          layout_.held[c][i].held ? held_position(c, i, s) : data[layout_.dof[c][i]];
+    if (layout_.contact) {  // what the iteration leaves on a node that hovers is round-off, not a force
+      const double multiplier = data[first + static_cast<size_t>(c)];
+      mine[3 * clusters + global] = contact(c, s, multiplier).active ? multiplier : 0.0;
+    }
+    mine[4 * clusters + global] = offset_[c];
+  }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  for (size_t c = 0; c < clusters; ++c) state.position.emplace_back(all[3 * c], all[3 * c + 1], all[3 * c + 2]);
+  state.contact_force.assign(all.begin() + 3 * clusters, all.begin() + 4 * clusters);
+  state.offset.assign(all.begin() + 4 * clusters, all.end());
+  state.seam = drive_.seam(s);
+  state.load = drive_.load(s);
+  return state;
+}
+
+ForceBalance Equilibrium::balance(const Vector& z, double s) {
+  positions(z, s);
+  const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
+  const std::vector<double> damping = damping_force(s);
+  std::vector<Vec3> contact_on(layout_.owned_clusters, Vec3::Zero());
+  const auto data = z.getData();
+  const size_t first = layout_.dof_map->getNodeNumElements();
+  for (size_t i = 0; i < multipliers(); ++i)
+    contact_on[i] = data[first + i] * contact(static_cast<int>(i), s, data[first + i]).normal;
+  // Rows of three: contact, load, damping, pins, one a support; last the sum of magnitudes.
+  constexpr size_t contact_row = 0, load_row = 1, damping_row = 2, pin_row = 3, support_row = 4;
+  const size_t count = 3 * (support_row + problem_.supports.size()) + 1;
+  std::vector<double> mine(count, 0.0), all(count, 0.0);
+  for (int c = 0; c < layout_.owned_clusters; ++c)
+    for (size_t d = 0; d < 3; ++d) {
+      const size_t i = 3 * static_cast<size_t>(c) + d;
+      const double dead = drive_.load(s) * load_[i];
+      mine[3 * contact_row + d] += contact_on[c][d];
+      mine[3 * load_row + d] += dead;
+      mine[3 * damping_row + d] -= damping[i];
+      mine.back() += std::abs(contact_on[c][d]) + std::abs(dead) + std::abs(damping[i]);
+      const HeldComponent& held = layout_.held[c][d];
+      if (!held.held) continue;
+      const double reaction = sums.force[i] + damping[i] - dead - contact_on[c][d];
+      mine[3 * (held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support)) + d] += reaction;
+      mine.back() += std::abs(reaction);
+    }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(), all.data());
+  const auto row = [&](size_t k) { return Vec3(all[3 * k], all[3 * k + 1], all[3 * k + 2]); };
+  ForceBalance b;
+  b.contact = row(contact_row);
+  b.load = row(load_row);
+  b.damping = row(damping_row);
+  b.pins = row(pin_row);
+  for (size_t k = 0; k < problem_.supports.size(); ++k) b.support.push_back(row(support_row + k));
+  b.magnitude = all.back();
+  return b;
+}
+
+}  // namespace toile::solve
