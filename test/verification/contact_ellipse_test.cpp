@@ -9,6 +9,7 @@
 #include "toile/body/import.hpp"
 #include "toile/body/level_set.hpp"
 #include "verification/contact_reference.hpp"
+#include "verification/print.hpp"
 #include "verification/ring.hpp"
 
 namespace toile::test {

@@ -6,6 +6,7 @@
 
 #include "toile/body/import.hpp"
 #include "toile/body/level_set.hpp"
+#include "verification/print.hpp"
 #include "verification/ring.hpp"
 #include "verification/sleeve_scene.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "verification/contact_reference.hpp"
+#include "verification/print.hpp"
 
 namespace toile::test {
 namespace {

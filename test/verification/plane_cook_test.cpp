@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/plane_scene.hpp"
+#include "verification/print.hpp"
 
 namespace toile::test {
 namespace {
@@ -35,6 +36,8 @@ TEST(Cook, UniformMeshesConvergeWithTheRateOfTheCorner) {
   for (int level = 0; level < 3; ++level) {
     const int n = 16 << level;
     error[level] = std::abs(cook(row, {n, n}).mean_edge_uy - row["mean_edge_uy"]);
+    print("neo-hookean, F = 24, uniform %2d x %2d: error of the edge's mean deflection %.4f %%\n", n, n,
+          100.0 * error[level] / row["mean_edge_uy"]);
     if (level == 0) continue;
     EXPECT_GE(std::log2(error[level - 1] / error[level]), 0.95 * rate) << n << " x " << n;
   }
@@ -59,6 +62,9 @@ TEST(Cook, GradedMeshAgreesWithTheReferenceForEveryFabric) {
   for (const PlaneCase& row : plane_cases("cook")) {
     const Cook found = cook(row, {96, 96, grading});
     const std::string what = row.material + ", F = " + std::to_string(row["F"]);
+    print("%-12s F = %-6g graded 96 x 96: error of tip %.4f %%, edge %.4f %%, energy %.4f %%\n", row.material.c_str(),
+          row["F"], 100.0 * (found.tip_uy / row["tip_uy"] - 1.0),
+          100.0 * (found.mean_edge_uy / row["mean_edge_uy"] - 1.0), 100.0 * (found.energy / row["energy"] - 1.0));
     EXPECT_NEAR(found.tip_ux, row["tip_ux"], 0.003 * std::abs(row["tip_ux"])) << what;
     EXPECT_NEAR(found.tip_uy, row["tip_uy"], 0.002 * row["tip_uy"]) << what;
     EXPECT_NEAR(found.mean_edge_uy, row["mean_edge_uy"], 0.002 * row["mean_edge_uy"]) << what;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/plane_scene.hpp"
+#include "verification/print.hpp"
 
 namespace toile::test {
 namespace {
@@ -36,6 +37,8 @@ TEST(Strip, UniformMeshesConvergeWithTheRateOfTheCorners) {
   for (int level = 0; level < 3; ++level) {
     const int n = 8 << level;
     error[level] = std::abs(strip(row, {3 * n, n}).force.x() - row["Fx"]);
+    print("neo-hookean, stretch 1.2, uniform %3d x %2d: error of the force %.4f %%\n", 3 * n, n,
+          100.0 * error[level] / row["Fx"]);
     if (level == 0) continue;
     EXPECT_GE(std::log2(error[level - 1] / error[level]), 0.95 * rate) << n << " elements across";
   }
@@ -50,6 +53,9 @@ TEST(Strip, GradedMeshAgreesWithTheReferenceForEveryFabricAndDirection) {
     const Strip found = strip(row, {60, 20, 2.0});
     const std::string what =
         row.material + ", wale " + std::to_string(row["wale"]) + ", stretch " + std::to_string(row["stretch"]);
+    print("%-12s wale at %2g deg, stretch %g, graded 60 x 20: error of force %.4f %%, width %.4f %%\n",
+          row.material.c_str(), row["wale"], row["stretch"], 100.0 * (found.force.x() / row["Fx"] - 1.0),
+          100.0 * (found.width / row["width"] - 1.0));
     EXPECT_NEAR(found.force.x(), row["Fx"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.force.y(), row["Fy"], 0.001 * row["Fx"]) << what;
     EXPECT_NEAR(found.width, row["width"], 0.001 * row["width"]) << what;

@@ -5,8 +5,6 @@
 #include <Teuchos_Array.hpp>
 #include <Tpetra_Core.hpp>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "toile/base/timer.hpp"
 
@@ -112,14 +110,6 @@ void expect_balanced(const Sleeve& sleeve) {
   EXPECT_GT(sleeve.report.balance.magnitude, 0.0);
   EXPECT_LE(sleeve.imbalance(), 1e-6);
   EXPECT_LE(sleeve.largest_gap(), 1e-6);
-}
-
-void print(const char* format, ...) {
-  if (Tpetra::getDefaultComm()->getRank() != 0) return;
-  va_list arguments;
-  va_start(arguments, format);
-  std::vprintf(format, arguments);
-  va_end(arguments);
 }
 
 }  // namespace toile::test

@@ -60,7 +60,4 @@ Teuchos::ParameterList body_list(const std::string& type);
 /// node in contact has a gap above 1e-6 mm.
 void expect_balanced(const Sleeve& sleeve);
 
-/// printf on the first rank only.
-void print(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
 }  // namespace toile::test

@@ -24,6 +24,12 @@ std::string vector_text(const solve::Vec3& v) {
   return out.str();
 }
 
+std::string stability(int negative_pivots) {
+  if (negative_pivots < 0) return "stability not known (the tangent could not be factorised)";
+  if (negative_pivots == 0) return "stable (no negative pivot)";
+  return std::to_string(negative_pivots) + " negative pivots: unstable";
+}
+
 std::string unit_of(const std::string& quantity) {
   if (quantity == "largest pressure" || quantity == "smallest principal stress") return " kPa";
   return quantity == "largest gap" ? " mm" : "";
@@ -75,9 +81,7 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
   out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
   out << "  equilibrium: relative residual " << report.residual << ", "
-      << (report.negative_pivots == 0 ? "stable (no negative pivot)"
-                                      : std::to_string(report.negative_pivots) + " negative pivots: unstable")
-      << "\n";
+      << stability(report.negative_pivots) << "\n";
   if (report.extrapolated > 0)
     out << "  outside the calibrated range of the fabric: " << report.extrapolated
         << " elements, largest fibre stretch " << fields.largest_extrapolation << " in " << fields.extrapolated_where

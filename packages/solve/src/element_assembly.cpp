@@ -115,7 +115,6 @@ ElementAssembly::Sums ElementAssembly::evaluate(const std::vector<double>& x, do
       if (!part.layout->owned[e]) continue;
       sums.energy += part.energy[e];
       sums.extrapolated += part.status[e] == material::point_extrapolated;
-      sums.not_admissible += part.status[e] == material::point_not_admissible;
     }
     if (values == nullptr) continue;
     for (size_t k = 0; k < part.entry.size(); ++k)
@@ -130,18 +129,6 @@ std::vector<double> ElementAssembly::reference_areas() const {
     std::vector<double> local(part.layout->nodes.size());
     if (local.empty()) continue;
     part.element->reference_areas(batch(part, 0, static_cast<int>(part.layout->elements.size())), local.data());
-    for (size_t i = 0; i < local.size(); ++i) areas[part.layout->nodes[i]] += local[i];
-  }
-  return areas;
-}
-
-std::vector<double> ElementAssembly::current_areas(const std::vector<double>& x) {
-  std::vector<double> areas(layout_.nodes.size(), 0.0);
-  for (Part& part : parts_) {
-    std::vector<double> local(part.layout->nodes.size());
-    if (local.empty()) continue;
-    gather(part, x);
-    part.element->nodal_areas(batch(part, 0, static_cast<int>(part.layout->elements.size())), local.data());
     for (size_t i = 0; i < local.size(); ++i) areas[part.layout->nodes[i]] += local[i];
   }
   return areas;

@@ -17,7 +17,6 @@ class ElementAssembly {
     std::vector<double> force;      ///< [local cluster][3] gradient of the strain energy, N; complete where owned
     std::vector<double> magnitude;  ///< [local cluster][3] sum of the magnitudes that met there, N
     int extrapolated = 0;           ///< owned elements outside the calibrated range of their fabric
-    int not_admissible = 0;         ///< owned elements with a point that has no energy
   };
 
   /// `x`: [local node][3] mm. Adds to `values` (entries of the graph, may be null).
@@ -25,8 +24,6 @@ class ElementAssembly {
 
   /// Reference area (mm^2) that belongs to each local node; complete for nodes of owned clusters.
   std::vector<double> reference_areas() const;
-  /// The same over the current area.
-  std::vector<double> current_areas(const std::vector<double>& x);
   /// Thickness (mm) averaged over the current area around each local node; complete for nodes of owned clusters.
   std::vector<double> nodal_thickness(const std::vector<double>& x);
 

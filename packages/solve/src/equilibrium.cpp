@@ -159,22 +159,22 @@ void Equilibrium::find_open_seams() {
 }
 
 contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) const {
+  contact::NodeContact held;  // its support carries it, wherever it lies
+  held.complementarity = multiplier / stiffness_;
   const std::array<LocalId, 3>& dof = layout_.dof[c];
-  if (std::all_of(dof.begin(), dof.end(), [](LocalId d) { return d < 0; })) {
-    contact::NodeContact held;  // its support carries it, wherever it lies
-    held.complementarity = multiplier / stiffness_;
-    return held;
-  }
+  if (std::all_of(dof.begin(), dof.end(), [](LocalId d) { return d < 0; })) return held;
   const double open = 1.0 - drive_.seam(s);
   const Vec3 x = cluster_position(static_cast<size_t>(c)) + open * mean_separation_[c];
-  return contact::evaluate(*problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
+  const contact::NodeContact free = contact::evaluate(
+      *problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
+  return free_part(c, free.normal) < ContactProjection::tangential ? held : free;
 }
 
 void Equilibrium::residual(const Vector& z, double s, Vector& f) {
   positions(z, s);
   ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
   strain_energy_ = sum(sums.energy);
-  extrapolated_ = sums.extrapolated;
+  extrapolated_ = static_cast<int>(sum(sums.extrapolated));
   magnitude_ = std::move(sums.magnitude);
   std::vector<double>& force = sums.force;
   for (size_t i = 0; i < force.size(); ++i) force[i] -= drive_.load(s) * load_[i];
@@ -255,6 +255,7 @@ void Equilibrium::linearise(const Vector& z, double s) {
     projection_.project(*tangent_, std::abs(mean_diagonal_), *projected_);
   }
   linear_.update(want_fresh_);
+  if (want_fresh_) unshifted_pivots_ = -1;
   factorise_positive();
   want_fresh_ = false;
 }

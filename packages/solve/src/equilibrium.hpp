@@ -72,7 +72,9 @@ class Equilibrium {
 
   double strain_energy() const { return strain_energy_; }
   /// Negative pivots of the last fresh tangent before any shift (contact multipliers are not in it).
+  /// -1: not known, the factorisation failed.
   int unshifted_negative_pivots() const { return unshifted_pivots_; }
+  /// Elements of all ranks outside the calibrated range of their fabric, at the last residual.
   int extrapolated() const { return extrapolated_; }
   const LinearSolver& linear() const { return linear_; }
 

@@ -153,6 +153,7 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
   for (const List& entry : list.entries()) {
     Support s;
     s.name = entry.name();
+    if (entry.words("on").empty()) entry.fail("on", "names no edge and no panel");
     for (const std::string& set : entry.words("on")) {
       const std::vector<int> nodes = nodes_of(entry, mesh, set);
       s.nodes.insert(s.nodes.end(), nodes.begin(), nodes.end());

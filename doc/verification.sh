@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Runs the verification tests on one rank and writes what they measured to doc/verification.md.
+#   doc/verification.sh BUILD-FOLDER      for instance build/release
+set -euo pipefail
+build="${1:?usage: doc/verification.sh BUILD-FOLDER}/test/verification"
+out="$(dirname "${BASH_SOURCE[0]}")/verification.md"
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+
+section() {  # title, text, test
+  printf '\n## %s\n\n%s\n\n```\n' "$1" "$2"
+  local start=$SECONDS log
+  log="$("$build/$3")" || { printf '%s\n' "$log" >&2; return 1; }
+  grep -vE '^(\[|Note|$)' <<<"$log" | sed 's/  rate nan/  rate -/' || true
+  printf '```\n\nRun time of `%s`: %d s on one core.\n' "$3" "$((SECONDS - start))"
+}
+
+{
+  printf '# Verification\n\nMeasured by `doc/verification.sh build/release` against the reference results in `test/data`; each row is also a test.\n'
+  printf 'Errors are relative; a rate is the exponent of the error over the element size.\n'
+  section "Sleeves on bodies of revolution" \
+    "Root mean square of the pressure against the semi-analytic membrane solution, two rows at each end left out; sum of all forces over their magnitudes; largest gap in contact." \
+    contact_reference_test
+  section "Elliptic cylinder" \
+    "The same with pressures that range over 4 : 1; independence of the contact stiffness; the body as unstructured triangles of 5 mm, the garment not aligned with them." \
+    contact_ellipse_test
+  section "Lift-off at a waist" "Where the sleeve leaves the body (reference in brackets), its radius in the middle, and the pressure two elements away from lift-off." \
+    contact_waist_test
+  section "Real body and parametric leg" "Pressure noise at facet wavelength on the thigh of a body with edges of about 20 mm (left out where the body's file is missing), and the balance of the written field." \
+    contact_leg_test
+  section "Cook's membrane" "Uniform meshes converge with the rate of the corner's singularity (1.248), graded ones with second order." plane_cook_test
+  section "Clamped strips" "Uniform meshes and meshes graded to the corners, wale at 0, 45 and 90 degrees to the pull." plane_strip_test
+} >"$out.new"
+mv "$out.new" "$out"
