@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "support.hpp"
-#include "toile/result/units.hpp"
+#include "toile/base/units.hpp"
 
 namespace toile::result::test {
 namespace {
@@ -19,7 +19,7 @@ Plot example() {
   plot.title = "Pressure of the leg's stocking, from ankle to thigh";
   plot.x_label = "height above the floor (mm)";
   plot.y_label = "contact pressure (kPa)";
-  plot.second_axis = SecondAxis{"contact pressure (mmHg)", mmhg_per_kpa};
+  plot.second_axis = SecondAxis{"contact pressure (mmHg)", base::mmhg_per_kpa};
   plot.y_from_zero = true;
   Series curve{"mean_pressure", {}, {}, true, false, {}};
   for (int i = 0; i <= 60; ++i) {

@@ -95,11 +95,14 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   solve::Simulation sewn(open.problem, {});
   int steps = 0;
   bool undamped_at_end = false;
+  double damped_share = 0.0, last_share = 1.0;
   double largest_gap = 0.0;
   sewn.observe([&](const solve::StepReport& r, const solve::State&) {
     ++steps;
     undamped_at_end = r.undamped && r.balance.damping.norm() == 0.0;
     largest_gap = r.gap;
+    damped_share = std::max(damped_share, r.undamped_residual);
+    last_share = r.undamped_residual;
   });
   solve::StageOptions sew = stage(solve::StageType::sew);
   sew.damping.active = true;
@@ -107,6 +110,8 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   EXPECT_GT(steps, 2);
   EXPECT_TRUE(undamped_at_end);
   EXPECT_LT(largest_gap, 1e-6);
+  EXPECT_GT(damped_share, 1e-9);  // while it sews, the damping carries a part
+  EXPECT_LT(last_share, 1e-10);
   EXPECT_DOUBLE_EQ(sewn.state().seam, 1.0);
   const double expected = mid_pressure(closed, direct.state(), 24, 8);
   EXPECT_NEAR(mid_pressure(open, sewn.state(), 24, 8) / expected, 1.0, 1e-6);

@@ -1,4 +1,6 @@
 // The command line of Toile: toile run | check | describe.
+#include <mpi.h>
+
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
@@ -21,6 +23,14 @@ constexpr const char* footer =
 int report(const std::string& message, ExitCode code) {
   if (Tpetra::getDefaultComm()->getRank() == 0) std::cerr << "toile: " << message << std::endl;
   return static_cast<int>(code);
+}
+
+/// The other ranks may not have failed, and would wait for this one for ever: all of them are ended.
+int fail_internally(const std::exception& error) {
+  const auto comm = Tpetra::getDefaultComm();
+  if (comm->getSize() == 1) return report(std::string("internal error: ") + error.what(), ExitCode::internal_error);
+  std::cerr << "toile: internal error on rank " << comm->getRank() << ": " << error.what() << std::endl;
+  return MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
 }
 
 [[noreturn]] void fail_unknown(const std::string& kind, const std::string& found, const Texts& valid) {
@@ -119,6 +129,6 @@ int main(int argc, char** argv) {
   } catch (const toile::base::Error& error) {
     return report(error.what(), error.code());
   } catch (const std::exception& error) {
-    return report(std::string("internal error: ") + error.what(), ExitCode::internal_error);
+    return fail_internally(error);
   }
 }

@@ -80,8 +80,7 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
       << "\n    sum over magnitudes: " << f.force_balance << "\n";
   out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
-  out << "  equilibrium: relative residual " << report.residual << ", "
-      << stability(report.negative_pivots) << "\n";
+  out << "  equilibrium: relative residual " << report.residual << ", " << stability(report.negative_pivots) << "\n";
   if (report.extrapolated > 0)
     out << "  outside the calibrated range of the fabric: " << report.extrapolated
         << " elements, largest fibre stretch " << fields.largest_extrapolation << " in " << fields.extrapolated_where

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <limits>
 
+#include "toile/base/units.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/pressure_lines.hpp"
-#include "toile/result/units.hpp"
 
 namespace toile::result {
 namespace {
@@ -18,9 +18,8 @@ Column column(const std::string& name, const std::string& unit, const std::vecto
 }
 
 void add_pressure(Table& table, const std::string& name, const std::vector<LevelRow>& rows, double LevelRow::*value) {
-  table.columns.push_back(column(name, "kPa", rows, [=](const LevelRow& r) { return kpa_per_mpa * r.*value; }));
-  table.columns.push_back(
-      column(name, "mmHg", rows, [=](const LevelRow& r) { return mmhg_per_kpa * kpa_per_mpa * r.*value; }));
+  table.columns.push_back(column(name, "kPa", rows, [=](const LevelRow& r) { return base::mpa_to_kpa(r.*value); }));
+  table.columns.push_back(column(name, "mmHg", rows, [=](const LevelRow& r) { return base::mpa_to_mmhg(r.*value); }));
 }
 
 Series series(const std::string& title, const std::vector<LevelRow>& rows, double LevelRow::*value) {
@@ -28,7 +27,7 @@ Series series(const std::string& title, const std::vector<LevelRow>& rows, doubl
   result.title = title;
   for (const LevelRow& row : rows) {
     result.x.push_back(row.height);
-    result.y.push_back(kpa_per_mpa * row.*value);
+    result.y.push_back(base::mpa_to_kpa(row.*value));
   }
   return result;
 }
@@ -61,7 +60,7 @@ Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve,
   plot.title = title;
   plot.x_label = "height (mm)";
   plot.y_label = "contact pressure (kPa)";
-  plot.second_axis = SecondAxis{"contact pressure (mmHg)", mmhg_per_kpa};
+  plot.second_axis = SecondAxis{"contact pressure (mmHg)", base::mmhg_per_kpa};
   plot.y_from_zero = true;
   std::vector<LevelRow> clear = curve;
   for (LevelRow& row : clear) {

@@ -15,7 +15,6 @@ ContactProjection::ContactProjection(const Layout& layout, const Graph& graph)
 }
 
 void ContactProjection::set(const std::vector<Vec3>& normals) {
-  constexpr double tangential = 1e-3;  // a normal that lies in the held components cannot be moved along
   Vector owned(layout_.dof_map), overlap(layout_.overlap_map);
   {
     auto data = owned.getDataNonConst();

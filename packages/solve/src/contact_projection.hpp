@@ -15,6 +15,9 @@ namespace toile::solve {
 /// constrained problem.
 class ContactProjection {
  public:
+  /// Least length of a unit normal's part in the free components; with less, the cluster cannot be moved along it.
+  static constexpr double tangential = 1e-3;
+
   /// The graph's columns of one cluster follow one another (Layout numbers them so).
   ContactProjection(const Layout& layout, const Graph& graph);
 

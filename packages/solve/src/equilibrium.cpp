@@ -158,6 +158,13 @@ void Equilibrium::find_open_seams() {
   }
 }
 
+double Equilibrium::length_of_free_part(int c, const Vec3& direction) const {
+  double squared = 0.0;
+  for (int d = 0; d < 3; ++d)
+    if (layout_.dof[c][d] >= 0) squared += direction[d] * direction[d];
+  return std::sqrt(squared);
+}
+
 contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) const {
   contact::NodeContact held;  // its support carries it, wherever it lies
   held.complementarity = multiplier / stiffness_;
@@ -165,9 +172,9 @@ contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) co
   if (std::all_of(dof.begin(), dof.end(), [](LocalId d) { return d < 0; })) return held;
   const double open = 1.0 - drive_.seam(s);
   const Vec3 x = cluster_position(static_cast<size_t>(c)) + open * mean_separation_[c];
-  const contact::NodeContact free = contact::evaluate(
-      *problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
-  return free_part(c, free.normal) < ContactProjection::tangential ? held : free;
+  const contact::NodeContact free =
+      contact::evaluate(*problem_.surface, x, offset_[c] + open * open * placed_depth_[c], multiplier, stiffness_);
+  return length_of_free_part(c, free.normal) < ContactProjection::tangential * free.normal.norm() ? held : free;
 }
 
 void Equilibrium::residual(const Vector& z, double s, Vector& f) {
@@ -232,10 +239,7 @@ void Equilibrium::add_contact_tangent(const Vector& z, double s, double* values)
     const contact::NodeContact c = contact(static_cast<int>(i), s, multiplier[first + i]);
     if (!c.active) continue;
     normals[i] = c.normal;
-    double squared = 0.0;
-    for (int a = 0; a < 3; ++a)
-      if (layout_.dof[i][a] >= 0) squared += c.normal[a] * c.normal[a];
-    free_part_[i] = std::sqrt(squared);
+    free_part_[i] = length_of_free_part(static_cast<int>(i), c.normal);
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b)
         if (diagonal_[i][a][b] >= 0) values[diagonal_[i][a][b]] += c.curvature(a, b);
@@ -341,19 +345,16 @@ void Equilibrium::retract(Vector& z, double s) {
 }
 
 void Equilibrium::retract_cluster(size_t i, double s, double* z) {
-  constexpr int rounds = 3;            // the gap's error falls by its square
-  constexpr double tangential = 1e-6;  // squared: a normal in the held components cannot be moved along
+  constexpr int rounds = 3;  // the gap's error falls by its square
   const int c = static_cast<int>(i);
   for (int round = 0; round < rounds; ++round) {
     for (int d = 0; d < 3; ++d)
       y_[3 * i + static_cast<size_t>(d)] = layout_.dof[c][d] >= 0 ? z[layout_.dof[c][d]] : held_position(c, d, s);
     const contact::NodeContact at = contact(c, s, 0.0);
-    double squared = 0.0;
+    const double free = length_of_free_part(c, at.normal);
+    if (free < ContactProjection::tangential) return;
     for (int d = 0; d < 3; ++d)
-      if (layout_.dof[c][d] >= 0) squared += at.normal[d] * at.normal[d];
-    if (squared < tangential) return;
-    for (int d = 0; d < 3; ++d)
-      if (layout_.dof[c][d] >= 0) z[layout_.dof[c][d]] -= at.gap * at.normal[d] / squared;
+      if (layout_.dof[c][d] >= 0) z[layout_.dof[c][d]] -= at.gap * at.normal[d] / (free * free);
   }
 }
 

@@ -96,7 +96,9 @@ class Equilibrium {
   void positions(const Vector& z, double s);
   Vec3 cluster_position(size_t c) const;
   double held_position(int cluster, int component, double s) const;
-  /// Length of the body's normal in the free components of a cluster in contact.
+  /// Length of a vector's part in the free components of a cluster.
+  double length_of_free_part(int cluster, const Vec3& direction) const;
+  /// The same of the body's normal at the last linearisation, of a cluster in contact.
   double free_part(size_t cluster) const { return free_part_[cluster]; }
   Vec3 separation(int node, int cluster, double s) const;
   contact::NodeContact contact(int cluster, double s, double multiplier) const;

@@ -30,6 +30,7 @@ struct StepReport {
   int iterations = 0;              ///< Newton iterations since the last accepted step, failed attempts included
   int cut_backs = 0;               ///< failed attempts since the last accepted step
   double residual = 0.0;           ///< relative force residual
+  double undamped_residual = 0.0;  ///< the same without the damping force
   double gap = 0.0;                ///< largest violation of contact, mm
   double strain_energy = 0.0;      ///< N mm
   double dissipated = 0.0;         ///< accumulated over the run, N mm
