@@ -179,6 +179,12 @@ TEST_F(BadInput, ContradictorySupports) {
       "clamp\" by 0 mm");
 }
 
+// A support that holds nothing.
+TEST_F(BadInput, SupportOfNothing) {
+  write_scene("strip", {{"{strip.bottom}", "{}"}});
+  expect_refused("scene > Supports > lower clamp: parameter \"on\" = {}: names no edge and no panel");
+}
+
 // A support that moves what it does not hold.
 TEST_F(BadInput, MoveOfAFreeDirection) {
   write_scene("strip", {{parameter("hold", "string", "xyz"), parameter("hold", "string", "xz")}});

@@ -17,6 +17,12 @@ std::shared_ptr<material::Material> neo_hookean() {
   return std::make_shared<material::Material>(*material::find("neo-hookean"), std::vector<double>{8.4667e-3}, 1.0);
 }
 
+std::shared_ptr<material::Material> pantyhose() {
+  const material::MaterialV1& rebar = *material::find("rebar");
+  const double* values = rebar.sets[0].values;
+  return std::make_shared<material::Material>(rebar, std::vector<double>(values, values + rebar.n_params), 1.0);
+}
+
 Sleeve::Options options(int around = 24, int along = 8) {
   Sleeve::Options o;
   o.around = around;
@@ -155,6 +161,44 @@ TEST(Sleeve, AStageThatCannotEndKeepsTheLastConvergedState) {
   }
   EXPECT_GT(reached, 0.0);
   EXPECT_DOUBLE_EQ(simulation.state().load, reached);
+}
+
+// The last of the allowed steps may be the one that reaches the end.
+TEST(Sleeve, TheLastAllowedStepMayReachTheEnd) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 10.0);
+  solve::Simulation simulation(sleeve.problem, {});
+  simulation.set_start(closed_start(sleeve.problem));
+  solve::StageOptions pull = stage(solve::StageType::load);
+  pull.max_steps = 2;
+  pull.first_step = pull.largest_step = 0.5;
+  simulation.run(pull);
+  EXPECT_DOUBLE_EQ(simulation.state().load, 1.0);
+}
+
+// Elements outside the calibrated range are counted over all ranks.
+TEST(Sleeve, ExtrapolatedElementsOfEveryRankAreCounted) {
+  Sleeve sleeve(options(12, 6), pantyhose());
+  sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 200.0);
+  solve::Simulation simulation(sleeve.problem, {});
+  int extrapolated = 0;
+  simulation.observe([&](const solve::StepReport& r, const solve::State&) { extrapolated = r.extrapolated; });
+  simulation.set_start(closed_start(sleeve.problem));
+  simulation.run(stage(solve::StageType::load));
+  EXPECT_EQ(extrapolated, 12 * 6);
+}
+
+// A node that its support keeps from moving along the body's normal is carried by the support, not by contact.
+TEST(Sleeve, EndsHeldAcrossTheBodyAreCarriedByTheirSupports) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  for (solve::Support& end : sleeve.problem.supports) end.held = {true, true, false};
+  solve::Simulation simulation(sleeve.problem, {});
+  simulation.set_start(closed_start(sleeve.problem));
+  simulation.run(stage(solve::StageType::settle));
+  const solve::Fields fields = compute_fields(sleeve.problem, simulation.state());
+  EXPECT_LT(fields.gap[0], -0.1);  // the inner face of an end lies in the body, and stays there
+  EXPECT_EQ(fields.pressure[0], 0.0);
+  EXPECT_GT(mid_pressure(sleeve, simulation.state(), 12, 6), 0.0);
 }
 
 // A step that does not converge is cut back, and the stage still reaches its end.

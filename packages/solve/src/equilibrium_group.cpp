@@ -105,7 +105,6 @@ NOX::Abstract::Group::ReturnType EquilibriumGroup::computeNewton(Teuchos::Parame
   if (computeF() != Ok || computeJacobian() != Ok) return Failed;
   const ReturnType status = applyJacobianInverse(list, *f_, *newton_);
   newton_->scale(-1.0);
-  if (status != Ok) newton_->init(0.0);
   has_newton_ = true;
   return status;
 }
@@ -121,7 +120,9 @@ NOX::Abstract::Group::ReturnType EquilibriumGroup::applyJacobianInverse(Teuchos:
                                                                         const NOX::Abstract::Vector& in,
                                                                         NOX::Abstract::Vector& out) const {
   if (!has_jacobian_) return BadDependency;
-  return equilibrium_->solve(tpetra(in), tpetra(out)) ? Ok : Failed;
+  if (equilibrium_->solve(tpetra(in), tpetra(out))) return Ok;
+  out.init(0.0);
+  return NotConverged;  // LOCA would throw at Failed
 }
 
 void EquilibriumGroup::setParams(const LOCA::ParameterVector& p) {

@@ -55,6 +55,12 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
   const double old_energy = equilibrium.energy(start, z, s);
   const double slope = equilibrium.slope_along_surface(EquilibriumGroup::tpetra(old_group.getF()),
                                                        EquilibriumGroup::tpetra(unwrap(direction)));
+  step = 0.0;
+  if (direction.norm() == 0.0) {  // the linear system had no solution
+    next.computeX(previous, direction, step);
+    next.computeF();
+    return false;
+  }
   step = 1.0;
   for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
     next.computeX(previous, direction, step);
@@ -73,8 +79,8 @@ RCP<Teuchos::ParameterList> newton_parameters() {
   RCP<Teuchos::ParameterList> list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Direction").set("Method", "Newton");
-  // Without a solution of the linear system the direction is zero, and the step fails by its number of iterations;
-  // otherwise NOX would throw.
+  // Without a solution of the linear system the direction is zero, and the line search fails the step; otherwise NOX
+  // would throw (and LOCA, if the group called it failed).
   list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", true);
   Teuchos::ParameterList& search = list->sublist("Line Search");
   search.set("Method", "User Defined");

@@ -314,8 +314,8 @@ void Simulation::run(const StageOptions& stage) {
     if (!stage.damping.active || !d.relax())
       throw base::SolveError("stage \"" + stage.name +
                              "\": no undamped equilibrium was found at its end; the last converged (damped) state was "
-                             "kept, and its pressures must not be read as final" +
-                             (stage.damping.active ? "" : ". Try damping"));
+                             "kept, and its pressures must not be read as final." +
+                             (stage.damping.active ? "" : " Try damping."));
   }
   Vector f(d.z->getMap());
   d.equilibrium->residual(*d.z, 1.0, f);
