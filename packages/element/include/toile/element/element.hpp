@@ -17,6 +17,17 @@ struct Batch {
   const double* params = nullptr;  ///< [n_params] or [n][n_params] if graduated
   bool graduated = false;
   double thickness = 1.0;  ///< h0, mm
+
+  // Of shells only.
+  /// [n][nodes][9] orthonormal frame of each node at the start of the step: tangents t_1, t_2 and the director d_n. With
+  /// the node's last two unknowns w (rotations since the start of the step), d = Exp(d_n, w_1 t_1 + w_2 t_2).
+  const double* frames = nullptr;
+  /// [n][nodes][6] stress-free position (mm) and unit director of a curved reference; null: the flat pattern.
+  const double* reference = nullptr;
+  /// [n][frozen_values()] what stays as it was at the start of the step, see Element::freeze.
+  const double* frozen = nullptr;
+  int layers = 3;              ///< integration points through the thickness: 1, 3, 5 or 7
+  double shear_modulus = 0.0;  ///< of transverse shear, correction factor included, MPa
 };
 
 /// Output of a batch. A null pointer is not computed.
@@ -51,6 +62,10 @@ class Element {
   /// Energy, its gradient and Hessian. Elements with a point that is not admissible get NaN and their status.
   virtual void evaluate(const Batch& batch, const Result& result) const = 0;
   virtual PointFields fields(const Batch& batch) const = 0;
+  /// Values an element that stay frozen during a step, so that the step keeps a potential.
+  virtual int frozen_values() const { return 0; }
+  /// Writes them for the state of `batch` (its `frozen` is not read): [n][frozen_values()].
+  virtual void freeze(const Batch&, double*) const {}
   /// Current mid-surface area that belongs to each node, integral of N_I over the current area: [n][nodes], mm^2.
   virtual void nodal_areas(const Batch& batch, double* areas) const = 0;
   /// The same over the reference (pattern) area, mm^2; also tells the lumped M* of the damping.
