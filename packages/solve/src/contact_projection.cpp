@@ -8,7 +8,7 @@ ContactProjection::ContactProjection(const Layout& layout, const Graph& graph)
     : layout_(layout),
       normal_(layout.clusters.size(), Vec3::Zero()),
       active_(layout.clusters.size(), 0),
-      cluster_of_dof_(graph.getColMap()->getNodeNumElements()) {
+      cluster_of_dof_(graph.getColMap()->getNodeNumElements(), -1) {
   for (size_t c = 0; c < layout.clusters.size(); ++c)
     for (const LocalId d : layout.dof[c])
       if (d >= 0) cluster_of_dof_[d] = static_cast<int>(c);
@@ -50,7 +50,7 @@ void ContactProjection::project(const Matrix& from, double stiffness, Matrix& to
       const int c = cluster_of_dof_[columns(k)];
       size_t end = k;
       while (end < row_map(row + 1) && cluster_of_dof_[columns(end)] == c) ++end;
-      if (active_[c]) {
+      if (c >= 0 && active_[c]) {
         double along = 0.0;
         const auto part = [&](size_t e) { return normal_[c][component_of(columns(e), c)]; };
         for (size_t e = k; e < end; ++e) along += target.values(e) * part(e);

@@ -18,7 +18,7 @@ class ContactProjection {
   /// Least length of a unit normal's part in the free components; with less, the cluster cannot be moved along it.
   static constexpr double tangential = 1e-3;
 
-  /// The graph's columns of one cluster follow one another (Layout numbers them so).
+  /// The graph's columns of the position of one cluster follow one another (Layout numbers them so).
   ContactProjection(const Layout& layout, const Graph& graph);
 
   /// Sets the conditions: one normal per owned cluster, zero where there is none. Collective.
@@ -43,7 +43,7 @@ class ContactProjection {
   const Layout& layout_;
   std::vector<Vec3> normal_;  ///< [local cluster]
   std::vector<char> active_;  ///< [local cluster]
-  std::vector<int> cluster_of_dof_;
+  std::vector<int> cluster_of_dof_;  ///< -1: a rotation, which contact does not see
 };
 
 }  // namespace toile::solve

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "follower_pressure.hpp"
+
 namespace toile::solve {
 
 namespace {
@@ -16,12 +18,19 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
     part.element = problem.laws[local.block].element;
     part.material = problem.laws[local.block].material;
     part.layout = &local;
+    part.shell = problem.laws[local.block].shell;
     part.nodes = block.nodes_per_element;
+    for (const FollowerPressure& pressure : problem.pressures)
+      if (pressure.block == local.block) part.pressure += pressure.pressure;
     for (const int e : local.elements) {
       part.wale_angle.push_back(block.wale_angle[e]);
       for (int i = 0; i < part.nodes; ++i) {
         const mesh::Vec2& p = problem.mesh->pattern[block.connectivity[static_cast<size_t>(e) * part.nodes + i]];
         part.pattern.insert(part.pattern.end(), {p[0], p[1]});
+        if (!part.shell.placed_reference) continue;
+        const int node = block.connectivity[static_cast<size_t>(e) * part.nodes + i];
+        for (const Vec3& v : {problem.mesh->placed[node], start_frame(problem, node).row(2).transpose().eval()})
+          part.reference.insert(part.reference.end(), v.data(), v.data() + 3);
       }
       if (part.material->graduated()) {
         const std::vector<double> values = part.material->params_at(block.position[e]);
@@ -35,7 +44,10 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
     part.residual.resize(n * ndof);
     part.tangent.resize(n * ndof * ndof);
     part.status.resize(n);
+    if (local.shell) part.frames.resize(9 * n * part.nodes);
+    part.frozen.resize(n * static_cast<size_t>(part.element->frozen_values()));
     find_entries(part, graph);
+    has_pressure_ = has_pressure_ || part.pressure != 0.0;
     parts_.push_back(std::move(part));
   }
 }
@@ -45,11 +57,9 @@ void ElementAssembly::find_entries(Part& part, const Graph& graph) const {
   const LocalId rows = static_cast<LocalId>(layout_.dof_map->getNodeNumElements());
   const int ndof = part.element->ndof();
   part.entry.reserve(part.layout->elements.size() * ndof * ndof);
-  std::vector<LocalId> ids(ndof);
+  std::vector<LocalId> ids;
   for (size_t e = 0; e < part.layout->elements.size(); ++e) {
-    for (int i = 0; i < part.nodes; ++i)
-      for (int d = 0; d < 3; ++d)
-        ids[3 * i + d] = layout_.dof[layout_.node_cluster[part.layout->nodes[e * part.nodes + i]]][d];
+    layout_.element_unknowns(*part.layout, e, ids);
     for (const LocalId row : ids)
       for (const LocalId column : ids) {
         if (row < 0 || row >= rows || column < 0) {
@@ -63,9 +73,13 @@ void ElementAssembly::find_entries(Part& part, const Graph& graph) const {
   }
 }
 
-void ElementAssembly::gather(Part& part, const std::vector<double>& x) const {
-  for (size_t i = 0; i < part.layout->nodes.size(); ++i)
-    std::copy_n(&x[3 * static_cast<size_t>(part.layout->nodes[i])], 3, &part.x[3 * i]);
+void ElementAssembly::gather(Part& part, const Configuration& at) const {
+  const size_t stride = static_cast<size_t>(part.element->dofs_per_node());
+  for (size_t i = 0; i < part.layout->nodes.size(); ++i) {
+    const size_t n = static_cast<size_t>(part.layout->nodes[i]);
+    std::copy_n(&at.x[3 * n], 3, &part.x[stride * i]);
+    if (part.layout->shell) std::copy_n(&at.rotation[2 * n], 2, &part.x[stride * i + 3]);
+  }
 }
 
 element::Batch ElementAssembly::batch(const Part& part, int first, int count) const {
@@ -79,6 +93,13 @@ element::Batch ElementAssembly::batch(const Part& part, int first, int count) co
   b.graduated = part.material->graduated();
   b.params = b.graduated ? &part.params[f * b.law->n_params] : part.params.data();
   b.thickness = part.material->thickness();
+  if (part.layout->shell) {
+    b.frames = &part.frames[9 * f * part.nodes];
+    b.reference = part.reference.empty() ? nullptr : &part.reference[6 * f * part.nodes];
+    b.frozen = &part.frozen[f * part.element->frozen_values()];
+    b.layers = part.shell.layers;
+    b.shear_modulus = part.shell.shear_modulus;
+  }
   return b;
 }
 
@@ -97,30 +118,92 @@ void ElementAssembly::run(Part& part, bool with_tangent) const {
   }
 }
 
-ElementAssembly::Sums ElementAssembly::evaluate(const std::vector<double>& x, double* values) {
+void ElementAssembly::add_pressure(Part& part, double load, bool with_tangent, Sums& sums) const {
+  const size_t stride = static_cast<size_t>(part.element->dofs_per_node()), nodes = static_cast<size_t>(part.nodes);
+  const size_t ndof = stride * nodes;
+  std::vector<double> stiffness(9 * nodes * nodes);
+  for (size_t e = 0; e < part.layout->elements.size(); ++e) {
+    std::fill(stiffness.begin(), stiffness.end(), 0.0);
+    const PressureOnElement p = pressure_on_element(part.nodes, static_cast<int>(stride), &part.x[e * ndof],
+                                                    load * part.pressure, with_tangent ? stiffness.data() : nullptr);
+    if (part.layout->owned[e]) sums.pressure_potential -= load * part.pressure * p.volume;
+    for (size_t i = 0; i < nodes; ++i) {
+      const size_t c = 3 * static_cast<size_t>(layout_.node_cluster[part.layout->nodes[e * nodes + i]]);
+      for (size_t d = 0; d < 3; ++d) sums.pressure_force[c + d] += p.force[3 * i + d];
+    }
+    if (!with_tangent) continue;
+    for (size_t r = 0; r < 3 * nodes; ++r)
+      for (size_t q = 0; q < 3 * nodes; ++q)
+        part.tangent[(e * ndof + r / 3 * stride + r % 3) * ndof + q / 3 * stride + q % 3] +=
+            stiffness[r * 3 * nodes + q];
+  }
+}
+
+void ElementAssembly::add_up(const Part& part, Sums& sums) const {
+  const size_t stride = static_cast<size_t>(part.element->dofs_per_node());
+  for (size_t i = 0; i < part.layout->nodes.size(); ++i) {
+    const size_t n = static_cast<size_t>(part.layout->nodes[i]);
+    const size_t c = 3 * static_cast<size_t>(layout_.node_cluster[n]);
+    const double* r = &part.residual[stride * i];
+    for (size_t d = 0; d < 3; ++d) {
+      sums.force[c + d] += r[d];
+      sums.magnitude[c + d] += std::abs(r[d]);
+    }
+    for (size_t k = 0; k < 2 && part.layout->shell; ++k) {
+      sums.moment[2 * n + k] += r[3 + k];
+      sums.moment_magnitude[2 * n + k] += std::abs(r[3 + k]);
+    }
+  }
+  for (size_t e = 0; e < part.layout->elements.size(); ++e) {
+    if (!part.layout->owned[e]) continue;
+    sums.energy += part.energy[e];
+    sums.extrapolated += part.status[e] == material::point_extrapolated;
+  }
+}
+
+ElementAssembly::Sums ElementAssembly::evaluate(const Configuration& at, double load, double* values) {
   Sums sums;
   sums.force.assign(3 * layout_.clusters.size(), 0.0);
   sums.magnitude.assign(3 * layout_.clusters.size(), 0.0);
+  if (layout_.has_shells()) {
+    sums.moment.assign(2 * layout_.nodes.size(), 0.0);
+    sums.moment_magnitude.assign(2 * layout_.nodes.size(), 0.0);
+  }
+  if (has_pressure_) sums.pressure_force.assign(3 * layout_.clusters.size(), 0.0);
   for (Part& part : parts_) {
-    gather(part, x);
+    gather(part, at);
     run(part, values != nullptr);
-    for (size_t i = 0; i < part.layout->nodes.size(); ++i) {
-      const size_t c = 3 * static_cast<size_t>(layout_.node_cluster[part.layout->nodes[i]]);
-      for (size_t d = 0; d < 3; ++d) {
-        sums.force[c + d] += part.residual[3 * i + d];
-        sums.magnitude[c + d] += std::abs(part.residual[3 * i + d]);
-      }
-    }
-    for (size_t e = 0; e < part.layout->elements.size(); ++e) {
-      if (!part.layout->owned[e]) continue;
-      sums.energy += part.energy[e];
-      sums.extrapolated += part.status[e] == material::point_extrapolated;
-    }
+    add_up(part, sums);
+    if (part.pressure != 0.0) add_pressure(part, load, values != nullptr, sums);
     if (values == nullptr) continue;
     for (size_t k = 0; k < part.entry.size(); ++k)
       if (part.entry[k] >= 0) values[part.entry[k]] += part.tangent[k];
   }
   return sums;
+}
+
+void ElementAssembly::set_frames(const std::vector<Frame>& frames) {
+  for (Part& part : parts_)
+    for (size_t i = 0; i < part.layout->nodes.size() && part.layout->shell; ++i)
+      std::copy_n(frames[part.layout->nodes[i]].data(), 9, &part.frames[9 * i]);
+}
+
+double ElementAssembly::find_frozen(const Configuration& at) {
+  double change = 0.0;
+  for (Part& part : parts_) {
+    const size_t per = static_cast<size_t>(part.element->frozen_values()), n = part.layout->elements.size();
+    if (per == 0 || n == 0) continue;
+    gather(part, at);
+    part.next_frozen.resize(part.frozen.size());
+    part.element->freeze(batch(part, 0, static_cast<int>(n)), part.next_frozen.data());
+    for (size_t k = 0; k < n * per; k += per)  // the first value is a thickness stretch
+      change = std::max(change, part.material->thickness() * std::abs(part.next_frozen[k] - part.frozen[k]));
+  }
+  return change;
+}
+
+void ElementAssembly::adopt_frozen() {
+  for (Part& part : parts_) std::swap(part.frozen, part.next_frozen);
 }
 
 std::vector<double> ElementAssembly::reference_areas() const {
@@ -134,12 +217,12 @@ std::vector<double> ElementAssembly::reference_areas() const {
   return areas;
 }
 
-std::vector<double> ElementAssembly::nodal_thickness(const std::vector<double>& x) {
+std::vector<double> ElementAssembly::nodal_thickness(const Configuration& at) {
   std::vector<double> areas(layout_.nodes.size(), 0.0), sum(layout_.nodes.size(), 0.0);
   for (Part& part : parts_) {
     const int n = static_cast<int>(part.layout->elements.size());
     if (n == 0) continue;
-    gather(part, x);
+    gather(part, at);
     const element::Batch all = batch(part, 0, n);
     std::vector<double> local(part.layout->nodes.size());
     part.element->nodal_areas(all, local.data());

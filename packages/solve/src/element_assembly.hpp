@@ -7,7 +7,13 @@
 
 namespace toile::solve {
 
-/// Sums the elements of one rank into cluster forces and the tangent of the unknowns.
+/// Nodal unknowns of the elements of one rank.
+struct Configuration {
+  std::vector<double> x;         ///< [local node][3] mm
+  std::vector<double> rotation;  ///< [local node][2] of shells, since the start of the step; empty without shells
+};
+
+/// Sums the elements of one rank into forces and the tangent of the unknowns.
 class ElementAssembly {
  public:
   ElementAssembly(const Problem& problem, const Layout& layout, const Graph& graph);
@@ -16,36 +22,53 @@ class ElementAssembly {
     double energy = 0.0;            ///< N mm, of the elements owned by this rank
     std::vector<double> force;      ///< [local cluster][3] gradient of the strain energy, N; complete where owned
     std::vector<double> magnitude;  ///< [local cluster][3] sum of the magnitudes that met there, N
-    int extrapolated = 0;           ///< owned elements outside the calibrated range of their fabric
+    /// The same of the rotations: [local node][2], N mm; empty without shells.
+    std::vector<double> moment, moment_magnitude;
+    double pressure_potential = 0.0;     ///< N mm, of follower pressures; owned elements
+    std::vector<double> pressure_force;  ///< [local cluster][3] N; empty without pressures
+    int extrapolated = 0;                ///< owned elements outside the calibrated range of their fabric
   };
 
-  /// `x`: [local node][3] mm. Adds to `values` (entries of the graph, may be null).
-  Sums evaluate(const std::vector<double>& x, double* values);
+  /// Follower pressures count `load` times. Adds to `values` (entries of the graph, may be null).
+  Sums evaluate(const Configuration& at, double load, double* values);
+
+  /// The directors' frames [local node] from which rotations count from now on.
+  void set_frames(const std::vector<Frame>& frames);
+  /// What the elements would keep frozen during a step (Element::freeze) from this state on; adopt_frozen() makes them
+  /// do so. Returns the largest change of a thickness, mm, of this rank.
+  double find_frozen(const Configuration& at);
+  void adopt_frozen();
 
   /// Reference area (mm^2) that belongs to each local node; complete for nodes of owned clusters.
   std::vector<double> reference_areas() const;
   /// Thickness (mm) averaged over the current area around each local node; complete for nodes of owned clusters.
-  std::vector<double> nodal_thickness(const std::vector<double>& x);
+  std::vector<double> nodal_thickness(const Configuration& at);
 
  private:
   struct Part {
     const element::Element* element;
     const material::Material* material;
     const Layout::BlockPart* layout;
-    int nodes;  ///< an element
+    ShellSection shell;
+    double pressure;  ///< MPa at load 1
+    int nodes;        ///< an element
     std::vector<double> pattern, wale_angle, params, x;
+    std::vector<double> frames, reference, frozen, next_frozen;  ///< of shells, see element::Batch
     std::vector<double> energy, residual, tangent;
     std::vector<std::uint8_t> status;
     std::vector<std::int64_t> entry;  ///< [element][ndof][ndof] place in the matrix, or -1
   };
 
   void find_entries(Part& part, const Graph& graph) const;
-  void gather(Part& part, const std::vector<double>& x) const;
+  void gather(Part& part, const Configuration& at) const;
   void run(Part& part, bool with_tangent) const;
+  void add_pressure(Part& part, double load, bool with_tangent, Sums& sums) const;
+  void add_up(const Part& part, Sums& sums) const;
   element::Batch batch(const Part& part, int first, int count) const;
 
   const Layout& layout_;
   std::vector<Part> parts_;
+  bool has_pressure_ = false;
 };
 
 }  // namespace toile::solve

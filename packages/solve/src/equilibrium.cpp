@@ -7,8 +7,7 @@
 
 namespace toile::solve {
 
-Equilibrium::Equilibrium(const Problem& problem, const State& start,
-                         const std::vector<std::array<HeldComponent, 3>>& held, const Drive& drive,
+Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held& held, const Drive& drive,
                          const SolverOptions& options, RCP<const Comm> comm)
     : problem_(problem),
       options_(options),
@@ -30,6 +29,7 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start,
   find_open_seams();
   find_diagonal_blocks();
   find_loads();
+  if (layout_.has_shells()) find_frames();
   scale();
 }
 
@@ -39,46 +39,65 @@ double Equilibrium::sum(double mine) const {
   return all;
 }
 
-void Equilibrium::find_diagonal_blocks() {
+std::int64_t Equilibrium::place(LocalId row, LocalId column) const {
+  if (row < 0 || column < 0) return -1;
   const auto local = graph_->getLocalGraphHost();
+  const auto* begin = local.entries.data() + local.row_map(row);
+  const auto* end = local.entries.data() + local.row_map(row + 1);
+  return std::lower_bound(begin, end, column) - local.entries.data();
+}
+
+void Equilibrium::find_diagonal_blocks() {
   for (int c = 0; c < layout_.owned_clusters; ++c) {
     std::array<std::array<std::int64_t, 3>, 3> places{};
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const LocalId row = layout_.dof[c][i], column = layout_.dof[c][j];
-        places[i][j] = -1;
-        if (row < 0 || column < 0) continue;
-        const auto* begin = local.entries.data() + local.row_map(row);
-        const auto* end = local.entries.data() + local.row_map(row + 1);
-        places[i][j] = std::lower_bound(begin, end, column) - local.entries.data();
-      }
+      for (int j = 0; j < 3; ++j) places[i][j] = place(layout_.dof[c][i], layout_.dof[c][j]);
     diagonal_.push_back(places);
   }
 }
 
 void Equilibrium::find_loads() {
-  std::vector<Vec3> nodal(problem_.mesh->nodes(), Vec3::Zero());
-  for (const EdgeLoad& load : problem_.loads)
-    for (size_t i = 0; i + 1 < load.nodes.size(); ++i) {
-      const double length = (problem_.mesh->pattern[load.nodes[i + 1]] - problem_.mesh->pattern[load.nodes[i]]).norm();
-      nodal[load.nodes[i]] += 0.5 * length * load.traction;
-      nodal[load.nodes[i + 1]] += 0.5 * length * load.traction;
-    }
+  std::vector<Vec3> force(problem_.mesh->nodes(), Vec3::Zero()), moment(force);
+  for (const NodalLoad& load : problem_.loads)
+    for (size_t i = 0; i < load.nodes.size(); ++i)
+      (load.moment ? moment : force)[load.nodes[i]] += load.share[i] * load.value;
   load_.assign(3 * layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < layout_.nodes.size(); ++n)
     for (int d = 0; d < 3; ++d)
-      load_[3 * static_cast<size_t>(layout_.node_cluster[n]) + d] += nodal[layout_.nodes[n]][d];
+      load_[3 * static_cast<size_t>(layout_.node_cluster[n]) + d] += force[layout_.nodes[n]][d];
+  if (!layout_.has_shells()) return;
+  for (const int node : layout_.nodes) moment_.push_back(moment[node]);
+}
+
+// Shells: where the directors start, and the rotary part of the shift.
+void Equilibrium::find_frames() {
+  for (const int node : layout_.nodes) {
+    frames_.push_back(start_.frame[node]);
+    rotation_previous_.insert(rotation_previous_.end(), start_.rotation[node].begin(), start_.rotation[node].end());
+  }
+  for (const BlockLaw& law : problem_.laws)
+    if (law.is_shell()) rotary_ = std::max(rotary_, law.material->thickness() * law.material->thickness() / 12.0);
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    std::array<std::int64_t, 2> places = {-1, -1};
+    if (layout_.node_cluster[n] < layout_.owned_clusters)
+      for (size_t k = 0; k < 2; ++k) places[k] = place(layout_.rotation[n][k], layout_.rotation[n][k]);
+    rotation_diagonal_.push_back(places);
+  }
+  positions(*start_vector(), 0.0);
+  elements_.set_frames(frames_);
+  elements_.find_frozen(at_);
+  elements_.adopt_frozen();
 }
 
 // Means of the undamped start tangent and of the lumped area: the measures of contact stiffness and damping.
 void Equilibrium::scale() {
   const RCP<Vector> z = start_vector();
   positions(*z, 0.0);
-  x_previous_ = x_;
+  x_previous_ = at_.x;
   auto local = tangent_->getLocalMatrixHost();
   double* values = local.values.data();
   std::fill_n(values, local.values.extent(0), 0.0);
-  elements_.evaluate(x_, values);
+  elements_.evaluate(at_, drive_.load(0.0), values);
   double diagonal = 0.0, squared = 0.0, mass = 0.0, rows = 0.0;
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int i = 0; i < 3; ++i)
@@ -121,12 +140,26 @@ void Equilibrium::positions(const Vector& z, double s) {
       const HeldComponent& h = layout_.held[c][i];
       y_[3 * c + i] = h.held ? held_position(static_cast<int>(c), i, s) : data[layout_.dof[c][i]];
     }
-  x_.resize(3 * layout_.nodes.size());
+  at_.x.resize(3 * layout_.nodes.size());
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
     const int c = layout_.node_cluster[n];
     const Vec3 p = cluster_position(c) + separation(layout_.nodes[n], c, s);
-    std::copy_n(p.data(), 3, &x_[3 * n]);
+    std::copy_n(p.data(), 3, &at_.x[3 * n]);
   }
+  at_.rotation.resize(2 * layout_.rotation.size());
+  for (size_t n = 0; n < layout_.rotation.size(); ++n)
+    for (size_t k = 0; k < 2; ++k) {
+      const LocalId d = layout_.rotation[n][k];
+      const double theta = d >= 0 ? data[d] : start_.rotation[layout_.nodes[n]][k];
+      at_.rotation[2 * n + k] = theta - rotation_previous_[2 * n + k];
+    }
+}
+
+// Axis in space about which the unknown w_k turns a node's director, d_n x t_k. Exact at w = 0 and, for a director that
+// turns about one axis, at any w.
+Vec3 Equilibrium::moment_axis(size_t node, int k) const {
+  const Frame& frame = frames_[node];
+  return frame.row(2).transpose().cross(frame.row(k).transpose());
 }
 
 double Equilibrium::interval(double s) const {
@@ -139,7 +172,7 @@ std::vector<double> Equilibrium::damping_force(double s) const {
   for (size_t n = 0; n < layout_.nodes.size(); ++n)
     for (int d = 0; d < 3; ++d)
       force[3 * static_cast<size_t>(layout_.node_cluster[n]) + d] +=
-          factor * mass_[n] * (x_[3 * n + d] - x_previous_[3 * n + d]);
+          factor * mass_[n] * (at_.x[3 * n + d] - x_previous_[3 * n + d]);
   return force;
 }
 
@@ -179,12 +212,14 @@ contact::NodeContact Equilibrium::contact(int c, double s, double multiplier) co
 
 void Equilibrium::residual(const Vector& z, double s, Vector& f) {
   positions(z, s);
-  ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
+  ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
   strain_energy_ = sum(sums.energy);
   extrapolated_ = static_cast<int>(sum(sums.extrapolated));
   magnitude_ = std::move(sums.magnitude);
+  moment_magnitude_ = std::move(sums.moment_magnitude);
   std::vector<double>& force = sums.force;
   for (size_t i = 0; i < force.size(); ++i) force[i] -= drive_.load(s) * load_[i];
+  for (size_t i = 0; i < sums.pressure_force.size(); ++i) force[i] -= sums.pressure_force[i];
   if (damping_ > 0.0) {
     const std::vector<double> damping = damping_force(s);
     for (size_t i = 0; i < force.size(); ++i) force[i] += damping[i];
@@ -200,23 +235,37 @@ void Equilibrium::residual(const Vector& z, double s, Vector& f) {
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int d = 0; d < 3; ++d)
       if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = force[3 * static_cast<size_t>(c) + d];
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    for (int k = 0; k < 2; ++k)
+      if (layout_.rotation[n][k] >= 0)
+        out[layout_.rotation[n][k]] = sums.moment[2 * n + k] - drive_.load(s) * moment_[n].dot(moment_axis(n, k));
+  }
+}
+
+double Equilibrium::load_potential(const ElementAssembly::Sums& sums, double s) const {
+  double work = 0.0;
+  for (int c = 0; c < layout_.owned_clusters; ++c)
+    for (int d = 0; d < 3; ++d)
+      work += load_[3 * static_cast<size_t>(c) + d] * y_[3 * static_cast<size_t>(c) + d];
+  for (size_t n = 0; n < layout_.rotation.size(); ++n)
+    for (int k = 0; k < 2 && layout_.node_cluster[n] < layout_.owned_clusters; ++k)
+      work += moment_[n].dot(moment_axis(n, k)) * at_.rotation[2 * n + k];
+  return sums.pressure_potential - drive_.load(s) * work;
 }
 
 double Equilibrium::energy(const Vector& z, const Vector& frozen, double s) {
   positions(z, s);
-  const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
-  double total = sums.energy;
+  const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
+  double total = sums.energy + load_potential(sums, s);
   const double factor = damping_ > 0.0 ? 0.5 * damping_ / interval(s) : 0.0;
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
     for (int d = 0; d < 3; ++d) {
-      const double step = x_[3 * n + d] - x_previous_[3 * n + d];
+      const double step = at_.x[3 * n + d] - x_previous_[3 * n + d];
       total += factor * mass_[n] * step * step;
     }
   }
-  for (int c = 0; c < layout_.owned_clusters; ++c)
-    for (int d = 0; d < 3; ++d)
-      total -= drive_.load(s) * load_[3 * static_cast<size_t>(c) + d] * y_[3 * static_cast<size_t>(c) + d];
   const auto multiplier = frozen.getData();
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (size_t i = 0; i < multipliers(); ++i) total += contact(static_cast<int>(i), s, multiplier[first + i]).energy;
@@ -227,6 +276,13 @@ void Equilibrium::add_to_diagonal(double factor, double* values) const {
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int i = 0; i < 3; ++i)
       if (diagonal_[c][i][i] >= 0) values[diagonal_[c][i][i]] += factor * cluster_mass_[c];
+}
+
+void Equilibrium::add_shift(double factor, double* values) const {
+  add_to_diagonal(factor, values);
+  for (size_t n = 0; n < rotation_diagonal_.size(); ++n)
+    for (const std::int64_t diagonal : rotation_diagonal_[n])
+      if (diagonal >= 0) values[diagonal] += factor * rotary_ * mass_[n];
 }
 
 // The curvature of the body under the contact forces; the conditions themselves go into the projection.
@@ -252,7 +308,7 @@ void Equilibrium::linearise(const Vector& z, double s) {
   auto local = tangent_->getLocalMatrixHost();
   double* values = local.values.data();
   std::fill_n(values, local.values.extent(0), 0.0);
-  elements_.evaluate(x_, values);
+  elements_.evaluate(at_, drive_.load(s), values);
   if (damping_ > 0.0) add_to_diagonal(damping_ / interval(s), values);
   if (layout_.contact) {
     add_contact_tangent(z, s, values);
@@ -277,7 +333,7 @@ void Equilibrium::factorise_positive() {
   double added = 0.0;
   for (double shift = std::max(least, 0.1 * last_shift_); linear_.negative_pivots() > 0 && shift < 1e12 * least;
        shift *= 10.0) {
-    add_to_diagonal(shift - added, values);
+    add_shift(shift - added, values);
     added = last_shift_ = shift;
     linear_.update(true);
   }

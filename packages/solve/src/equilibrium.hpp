@@ -36,8 +36,8 @@ struct Imbalance {
 /// components of the clusters' positions, one contact multiplier per cluster) and of the stage's parameter s.
 class Equilibrium {
  public:
-  Equilibrium(const Problem& problem, const State& start, const std::vector<std::array<HeldComponent, 3>>& held,
-              const Drive& drive, const SolverOptions& options, RCP<const Comm> comm);
+  Equilibrium(const Problem& problem, const State& start, const Held& held, const Drive& drive,
+              const SolverOptions& options, RCP<const Comm> comm);
 
   const RCP<const Map>& map() const { return layout_.state_map; }
   RCP<Vector> start_vector() const { return vector_of(start_); }
@@ -79,16 +79,17 @@ class Equilibrium {
   const LinearSolver& linear() const { return linear_; }
 
   // Damping and offsets: changed only between steps.
-  void start_step(const Vector& converged, double s);  ///< x_n of the damping; the tangent will be factorised afresh
+  /// x_n of the damping, frames of the directors, thickness of shells; the tangent will be factorised afresh.
+  void start_step(const Vector& converged, double s);
   void set_damping(double coefficient) { damping_ = coefficient; }
   double damping() const { return damping_; }
   void set_first_step(double ds) { smallest_interval_ = ds; }
   double mean_tangent_diagonal() const { return mean_diagonal_; }
   double mean_mass() const { return mean_mass_; }
   double dissipation(const Vector& z, double s);  ///< c sum M* |x - x_n|^2 / dt, N mm, of the step from x_n to z
-  /// Sets the contact offsets to half the present thickness, unless none would change by more than `tolerance` (mm).
-  /// Returns the largest change, 0 if they were left.
-  double update_offsets(const Vector& z, double s, double tolerance);
+  /// Sets the contact offsets to half the present thickness, and the thickness of shells, unless none would change by
+  /// more than `tolerance` (mm). Returns the largest change, 0 if they were left.
+  double update_thickness(const Vector& z, double s, double tolerance);
   /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface.
   void balance_multipliers(Vector& z, double s);
 
@@ -107,6 +108,13 @@ class Equilibrium {
   size_t multipliers() const { return layout_.contact ? static_cast<size_t>(layout_.owned_clusters) : 0; }
   void find_diagonal_blocks();
   void find_loads();
+  void find_frames();
+  std::int64_t place(LocalId row, LocalId column) const;
+  Vec3 moment_axis(size_t node, int k) const;
+  double load_potential(const ElementAssembly::Sums& sums, double s) const;
+  void add_shift(double factor, double* values) const;
+  std::vector<double> wanted_offsets();
+  void add_directors(State& state) const;
   void scale();
   std::vector<double> damping_force(double s) const;
   void add_contact_tangent(const Vector& z, double s, double* values);
@@ -129,10 +137,16 @@ class Equilibrium {
   std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
 
   std::vector<double> y_;           ///< [local cluster][3] position of the master at the last evaluation
-  std::vector<double> x_;           ///< [local node][3]
+  Configuration at_;                ///< at the last evaluation
   std::vector<double> magnitude_;   ///< [local cluster][3] N
+  std::vector<double> moment_magnitude_;  ///< [local node][2] N mm; empty without shells
   std::vector<double> mass_;        ///< [local node] reference area, mm^2
   std::vector<double> load_;        ///< [local cluster][3] dead load at load 1, N
+  std::vector<Vec3> moment_;        ///< [local node] dead moment at load 1, N mm; empty without shells
+  std::vector<Frame> frames_;       ///< [local node] of the directors at the start of the step; empty without shells
+  std::vector<double> rotation_previous_;  ///< [local node][2] theta that belongs to them
+  std::vector<std::array<std::int64_t, 2>> rotation_diagonal_;  ///< [local node] places in the tangent or -1
+  double rotary_ = 0.0;  ///< rotary over lumped inertia of a shell's node, mm^2
   std::vector<double> x_previous_;  ///< [local node][3]
   double s_previous_ = 0.0;
   double smallest_interval_ = 0.1;

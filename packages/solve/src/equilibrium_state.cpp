@@ -13,6 +13,11 @@ RCP<Vector> Equilibrium::vector_of(const State& state) const {
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int i = 0; i < 3; ++i)
       if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = state.position[layout_.clusters[c]][i];
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    for (size_t k = 0; k < 2; ++k)
+      if (layout_.rotation[n][k] >= 0) data[layout_.rotation[n][k]] = state.rotation[layout_.nodes[n]][k];
+  }
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (size_t c = 0; c < multipliers(); ++c) data[first + c] = state.contact_force[layout_.clusters[c]];
   return z;
@@ -32,6 +37,17 @@ Imbalance Equilibrium::imbalance(const Vector& f) const {
       mine[0] += data[layout_.dof[c][d]] * data[layout_.dof[c][d]];
       mine[1] += scale * scale;
     }
+  // A moment counts as the pair of forces that it is over the distance of two nodes.
+  const double lever_squared = mean_mass_;
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    for (size_t k = 0; k < 2; ++k) {
+      if (layout_.rotation[n][k] < 0) continue;
+      const double moment = data[layout_.rotation[n][k]], scale = moment_magnitude_[2 * n + k];
+      mine[0] += moment * moment / lever_squared;
+      mine[1] += scale * scale / lever_squared;
+    }
+  }
   double gap = 0.0;
   for (size_t i = layout_.dof_map->getNodeNumElements(); i < static_cast<size_t>(data.size()); ++i)
     gap = std::isnan(data[i]) ? data[i] : std::max(gap, std::abs(data[i]));
@@ -50,9 +66,18 @@ Imbalance Equilibrium::imbalance(const Vector& f) const {
 
 void Equilibrium::start_step(const Vector& converged, double s) {
   positions(converged, s);
-  x_previous_ = x_;
+  x_previous_ = at_.x;
   s_previous_ = s;
   want_fresh_ = true;
+  if (!layout_.has_shells()) return;
+  for (size_t n = 0; n < frames_.size(); ++n) {
+    frames_[n] = rotated(frames_[n], at_.rotation[2 * n], at_.rotation[2 * n + 1]);
+    for (size_t k = 0; k < 2; ++k) rotation_previous_[2 * n + k] += at_.rotation[2 * n + k];
+  }
+  std::fill(at_.rotation.begin(), at_.rotation.end(), 0.0);
+  elements_.set_frames(frames_);
+  elements_.find_frozen(at_);
+  elements_.adopt_frozen();
 }
 
 double Equilibrium::dissipation(const Vector& z, double s) {
@@ -61,38 +86,44 @@ double Equilibrium::dissipation(const Vector& z, double s) {
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
     for (int d = 0; d < 3; ++d) {
-      const double step = x_[3 * n + d] - x_previous_[3 * n + d];
+      const double step = at_.x[3 * n + d] - x_previous_[3 * n + d];
       total += mass_[n] * step * step;
     }
   }
   return damping_ / interval(s) * sum(total);
 }
 
-double Equilibrium::update_offsets(const Vector& z, double s, double tolerance) {
-  if (!layout_.contact || !problem_.contact.offset_by_half_thickness) return 0.0;
-  positions(z, s);
-  const std::vector<double> thickness = elements_.nodal_thickness(x_);
+// [owned cluster] Half the present thickness.
+std::vector<double> Equilibrium::wanted_offsets() {
+  const std::vector<double> thickness = elements_.nodal_thickness(at_);
   std::vector<double> sum_of(layout_.clusters.size(), 0.0), count(layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
     sum_of[layout_.node_cluster[n]] += thickness[n];
     count[layout_.node_cluster[n]] += 1.0;
   }
-  std::vector<double> updated(offset_.size());
-  double mine = 0.0, largest = 0.0;
-  for (size_t i = 0; i < offset_.size(); ++i) {
-    updated[i] = 0.5 * sum_of[i] / count[i];
-    mine = std::max(mine, std::abs(updated[i] - offset_[i]));
-  }
+  std::vector<double> wanted;
+  for (size_t i = 0; i < offset_.size(); ++i) wanted.push_back(0.5 * sum_of[i] / count[i]);
+  return wanted;
+}
+
+double Equilibrium::update_thickness(const Vector& z, double s, double tolerance) {
+  const bool offsets = layout_.contact && problem_.contact.offset_by_half_thickness;
+  if (!offsets && !layout_.has_shells()) return 0.0;
+  positions(z, s);
+  std::vector<double> wanted = offsets ? wanted_offsets() : offset_;
+  double mine = layout_.has_shells() ? elements_.find_frozen(at_) : 0.0, largest = 0.0;
+  for (size_t i = 0; i < offset_.size(); ++i) mine = std::max(mine, std::abs(wanted[i] - offset_[i]));
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
   if (largest <= tolerance) return 0.0;
-  offset_ = std::move(updated);
+  offset_ = std::move(wanted);
+  if (layout_.has_shells()) elements_.adopt_frozen();
   want_fresh_ = true;
   return largest;
 }
 
 void Equilibrium::balance_multipliers(Vector& z, double s) {
   positions(z, s);
-  const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
+  const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
   constexpr double touching = 2.0;  // mm: placed nodes this near are taken to lie on the body
   auto data = z.getDataNonConst();
   const size_t first = layout_.dof_map->getNodeNumElements();
@@ -127,12 +158,34 @@ State Equilibrium::state(const Vector& z, double s) {
   state.offset.assign(all.begin() + 4 * clusters, all.end());
   state.seam = drive_.seam(s);
   state.load = drive_.load(s);
+  if (layout_.has_shells()) add_directors(state);
   return state;
+}
+
+void Equilibrium::add_directors(State& state) const {
+  constexpr size_t per_node = 11;  // the frame and theta
+  const size_t nodes = start_.frame.size();
+  std::vector<double> mine(per_node * nodes, 0.0), all(mine.size());
+  for (size_t n = 0; n < frames_.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    double* out = &mine[per_node * static_cast<size_t>(layout_.nodes[n])];
+    const double* w = &at_.rotation[2 * n];
+    const Frame frame = rotated(frames_[n], w[0], w[1]);
+    std::copy_n(frame.data(), 9, out);
+    for (size_t k = 0; k < 2; ++k) out[9 + k] = rotation_previous_[2 * n + k] + w[k];
+  }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  state.frame.resize(nodes);
+  state.rotation.resize(nodes);
+  for (size_t n = 0; n < nodes; ++n) {
+    std::copy_n(&all[per_node * n], 9, state.frame[n].data());
+    state.rotation[n] = {all[per_node * n + 9], all[per_node * n + 10]};
+  }
 }
 
 ForceBalance Equilibrium::balance(const Vector& z, double s) {
   positions(z, s);
-  const ElementAssembly::Sums sums = elements_.evaluate(x_, nullptr);
+  const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
   const std::vector<double> damping = damping_force(s);
   std::vector<Vec3> contact_on(layout_.owned_clusters, Vec3::Zero());
   const auto data = z.getData();
@@ -146,7 +199,8 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (size_t d = 0; d < 3; ++d) {
       const size_t i = 3 * static_cast<size_t>(c) + d;
-      const double dead = drive_.load(s) * load_[i];
+      const double dead =
+          drive_.load(s) * load_[i] + (sums.pressure_force.empty() ? 0.0 : sums.pressure_force[i]);
       mine[3 * contact_row + d] += contact_on[c][d];
       mine[3 * load_row + d] += dead;
       mine[3 * damping_row + d] -= damping[i];

@@ -17,11 +17,10 @@ std::vector<int> clusters_of_nodes(const Problem& problem) {
 
 }  // namespace
 
-Layout::Layout(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held,
-               RCP<const Comm> communicator)
+Layout::Layout(const Problem& problem, const Held& all, RCP<const Comm> communicator)
     : comm(std::move(communicator)), contact(problem.surface != nullptr) {
   find_local(problem);
-  number(problem, all_held);
+  number(problem, all);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   const size_t local = dof_map->getNodeNumElements() + (contact ? static_cast<size_t>(owned_clusters) : 0);
   state_map = rcp(new Map(unknown, local, 0, comm));
@@ -37,7 +36,7 @@ void Layout::find_local(const Problem& problem) {
   std::set<int> ghosts, all_nodes;
   for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) {
     const mesh::Block& block = problem.mesh->blocks[b];
-    BlockPart part{static_cast<int>(b), {}, {}, {}};
+    BlockPart part{static_cast<int>(b), problem.laws[b].is_shell(), {}, {}, {}};
     for (int e = 0; e < block.size(); ++e) {
       const int* node = &block.connectivity[static_cast<size_t>(e) * block.nodes_per_element];
       const bool touches = std::any_of(node, node + block.nodes_per_element,
@@ -71,27 +70,54 @@ void Layout::find_local(const Problem& problem) {
   }
 }
 
-void Layout::number(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held) {
-  // Unknowns are numbered rank by rank, then by cluster: every rank can work out the number of a ghost.
+// Unknowns are numbered rank by rank, then by cluster, then by node: every rank can work out the number of a ghost.
+std::vector<GlobalId> Layout::first_unknowns(const Problem& problem, const Held& all) const {
+  const auto unknowns_of = [&](size_t c) {
+    GlobalId count = 0;
+    for (const HeldComponent& h : all.position[c]) count += h.held ? 0 : 1;
+    for (const int node : problem.clusters[c])
+      if (!all.rotation.empty()) count += (all.rotation[node][0] ? 0 : 1) + (all.rotation[node][1] ? 0 : 1);
+    return count;
+  };
   std::vector<GlobalId> next(comm->getSize() + 1, 0);
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (const HeldComponent& h : all_held[c]) next[problem.cluster_rank[c] + 1] += h.held ? 0 : 1;
+  for (size_t c = 0; c < problem.clusters.size(); ++c) next[problem.cluster_rank[c] + 1] += unknowns_of(c);
   for (size_t r = 1; r < next.size(); ++r) next[r] += next[r - 1];
-  std::vector<std::array<GlobalId, 3>> global(problem.clusters.size());
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (int i = 0; i < 3; ++i) global[c][i] = all_held[c][i].held ? -1 : next[problem.cluster_rank[c]]++;
+  std::vector<GlobalId> first(problem.clusters.size());
+  for (size_t c = 0; c < problem.clusters.size(); ++c) {
+    first[c] = next[problem.cluster_rank[c]];
+    next[problem.cluster_rank[c]] += unknowns_of(c);
+  }
+  return first;
+}
+
+void Layout::number(const Problem& problem, const Held& all) {
+  const std::vector<GlobalId> first = first_unknowns(problem, all);
+  std::vector<int> local_node(problem.mesh->nodes(), -1);
+  for (size_t n = 0; n < nodes.size(); ++n) local_node[nodes[n]] = static_cast<int>(n);
+  if (!all.rotation.empty()) rotation.assign(nodes.size(), {-1, -1});
 
   std::vector<GlobalId> columns;
+  GlobalId id = 0;
+  const auto take = [&] {
+    columns.push_back(id++);
+    return static_cast<LocalId>(columns.size()) - 1;
+  };
   size_t owned = 0;
   for (size_t c = 0; c < clusters.size(); ++c) {
-    held.push_back(all_held[clusters[c]]);
-    std::array<LocalId, 3> ids{};
-    for (int i = 0; i < 3; ++i) {
-      const GlobalId id = global[clusters[c]][i];
-      ids[i] = id < 0 ? -1 : static_cast<LocalId>(columns.size());
-      if (id >= 0) columns.push_back(id);
-    }
+    id = first[clusters[c]];
+    held.push_back(all.position[clusters[c]]);
+    std::array<LocalId, 3> ids = {-1, -1, -1};
+    for (size_t i = 0; i < 3; ++i)
+      if (!held.back()[i].held) ids[i] = take();
     dof.push_back(ids);
+    for (const int node : problem.clusters[clusters[c]])
+      for (size_t k = 0; k < 2 && !all.rotation.empty(); ++k) {
+        if (all.rotation[node][k]) continue;
+        if (local_node[node] >= 0)
+          rotation[local_node[node]][k] = take();
+        else
+          ++id;  // of a ghost cluster, and no element of this rank touches it
+      }
     if (static_cast<int>(c) == owned_clusters - 1) owned = columns.size();
   }
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
@@ -101,21 +127,27 @@ void Layout::number(const Problem& problem, const std::vector<std::array<HeldCom
   importer = rcp(new Import(dof_map, overlap_map));
 }
 
+void Layout::element_unknowns(const BlockPart& part, size_t element, std::vector<LocalId>& ids) const {
+  const size_t per = part.nodes.size() / part.elements.size();
+  ids.clear();
+  for (size_t i = 0; i < per; ++i) {
+    const int n = part.nodes[element * per + i];
+    ids.insert(ids.end(), dof[node_cluster[n]].begin(), dof[node_cluster[n]].end());
+    if (part.shell) ids.insert(ids.end(), rotation[n].begin(), rotation[n].end());
+  }
+}
+
 RCP<const Graph> make_graph(const Layout& layout) {
   const size_t rows = layout.dof_map->getNodeNumElements();
   std::vector<std::set<LocalId>> columns(rows);
-  for (const Layout::BlockPart& part : layout.blocks) {
-    const size_t count = part.elements.size();
-    const size_t per = count == 0 ? 0 : part.nodes.size() / count;
-    for (size_t e = 0; e < count; ++e) {
-      std::vector<LocalId> ids;
-      for (size_t i = 0; i < per; ++i)
-        for (const LocalId d : layout.dof[layout.node_cluster[part.nodes[e * per + i]]])
-          if (d >= 0) ids.push_back(d);
+  std::vector<LocalId> ids;
+  for (const Layout::BlockPart& part : layout.blocks)
+    for (size_t e = 0; e < part.elements.size(); ++e) {
+      layout.element_unknowns(part, e, ids);
+      ids.erase(std::remove(ids.begin(), ids.end(), -1), ids.end());
       for (const LocalId row : ids)
         if (static_cast<size_t>(row) < rows) columns[row].insert(ids.begin(), ids.end());
     }
-  }
   Teuchos::ArrayRCP<size_t> offsets(rows + 1, 0);
   for (size_t r = 0; r < rows; ++r) offsets[r + 1] = offsets[r] + columns[r].size();
   Teuchos::ArrayRCP<LocalId> indices(offsets[rows]);

@@ -16,22 +16,34 @@ struct HeldComponent {
   int support = -1;           ///< index into Problem::supports; -1: held against a null motion
 };
 
+/// What a stage holds.
+struct Held {
+  std::vector<std::array<HeldComponent, 3>> position;  ///< [cluster]
+  std::vector<std::array<bool, 2>> rotation;           ///< [node] of shells: stays as it is; empty without shells
+};
+
 /// Distribution of one stage over the ranks: owned and ghost clusters, local elements, numbering of the unknowns.
 ///
 /// A rank evaluates every element that touches a cluster of its own, so rows are complete without an export of matrix
 /// entries; an element counts in sums only on the rank that owns it.
-/// Local order: owned clusters first, then ghosts. Unknowns are the free components of the clusters' positions
-/// (`dof_map`, `overlap_map`); with a body, `state_map` appends one contact multiplier per owned cluster.
+/// Local order: owned clusters first, then ghosts. Unknowns are the free components of the clusters' positions and,
+/// after those of its cluster, the free rotations of each node of a shell (`dof_map`, `overlap_map`); with a body,
+/// `state_map` appends one contact multiplier per owned cluster.
 class Layout {
  public:
   struct BlockPart {
     int block;                  ///< in the mesh
+    bool shell;                 ///< two rotations a node
     std::vector<int> elements;  ///< ids in the block, ascending
     std::vector<char> owned;    ///< [local element]
     std::vector<int> nodes;     ///< [local element][node] local node
   };
 
-  Layout(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& held, RCP<const Comm> comm);
+  Layout(const Problem& problem, const Held& held, RCP<const Comm> comm);
+
+  /// Unknowns of an element in the order of its formulation, -1 where held.
+  void element_unknowns(const BlockPart& part, size_t element, std::vector<LocalId>& ids) const;
+  bool has_shells() const { return !rotation.empty(); }
 
   RCP<const Comm> comm;
   std::vector<int> clusters;  ///< local -> global cluster
@@ -41,13 +53,15 @@ class Layout {
   std::vector<BlockPart> blocks;
   std::vector<std::array<HeldComponent, 3>> held;  ///< [local cluster]
   std::vector<std::array<LocalId, 3>> dof;         ///< [local cluster] local (overlap) dof or -1
+  std::vector<std::array<LocalId, 2>> rotation;    ///< [local node] local dof or -1; empty without shells
   bool contact = false;                            ///< there is a body
   RCP<const Map> dof_map, overlap_map, state_map;
   RCP<const Import> importer;  ///< dof_map -> overlap_map
 
  private:
   void find_local(const Problem& problem);
-  void number(const Problem& problem, const std::vector<std::array<HeldComponent, 3>>& all_held);
+  std::vector<GlobalId> first_unknowns(const Problem& problem, const Held& all) const;
+  void number(const Problem& problem, const Held& all);
 };
 
 /// Sparsity of the displacement tangent: every pair of clusters that share an element.

@@ -1,3 +1,7 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
 #include "toile/solve/problem.hpp"
 #include "toile/solve/simulation.hpp"
 
@@ -15,7 +19,50 @@ State placed_state(const Problem& problem) {
     state.position.push_back(problem.mesh->placed[members.front()]);
   state.contact_force.assign(problem.clusters.size(), 0.0);
   state.offset.assign(problem.clusters.size(), 0.0);
+  const std::vector<bool> shell = shell_nodes(problem);
+  if (std::find(shell.begin(), shell.end(), true) == shell.end()) return state;
+  state.rotation.assign(shell.size(), {0.0, 0.0});
+  for (int n = 0; n < problem.mesh->nodes(); ++n)
+    state.frame.push_back(shell[n] ? start_frame(problem, n) : Frame::Identity());
   return state;
+}
+
+std::vector<bool> shell_nodes(const Problem& problem) {
+  std::vector<bool> shell(problem.mesh->nodes(), false);
+  for (size_t b = 0; b < problem.laws.size(); ++b)
+    for (const int node : problem.mesh->blocks[b].connectivity) shell[node] = shell[node] || problem.laws[b].is_shell();
+  return shell;
+}
+
+std::vector<Vec3> symmetry_normals(const Problem& problem, int node) {
+  std::vector<Vec3> normals;
+  for (const Support& support : problem.supports)
+    if (support.director == DirectorSupport::symmetry &&
+        std::find(support.nodes.begin(), support.nodes.end(), node) != support.nodes.end())
+      for (int i = 0; i < 3; ++i)
+        if (support.held[i]) normals.push_back(Vec3::Unit(i));
+  return normals;
+}
+
+Frame start_frame(const Problem& problem, int node) {
+  Vec3 d = problem.mesh->normal[node];
+  const std::vector<Vec3> planes = symmetry_normals(problem, node);
+  for (const Vec3& n : planes) d -= n.dot(d) * n;
+  d.normalize();
+  Eigen::Index smallest = 0;
+  d.cwiseAbs().minCoeff(&smallest);
+  const Vec3 wanted = planes.empty() ? Vec3::Unit(smallest).eval() : planes.front();
+  const Vec3 t1 = (wanted - wanted.dot(d) * d).normalized();
+  Frame frame;
+  frame << t1.transpose(), d.cross(t1).transpose(), d.transpose();
+  return frame;
+}
+
+Frame rotated(const Frame& frame, double w1, double w2) {
+  const double angle = std::hypot(w1, w2);
+  if (angle == 0.0) return frame;
+  const Vec3 axis = (w1 * frame.row(1) - w2 * frame.row(0)).transpose() / angle;
+  return frame * Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix().transpose();
 }
 
 Vec3 ForceBalance::sum() const {

@@ -14,19 +14,36 @@ namespace toile::solve {
 
 using Vec3 = Eigen::Vector3d;
 
+/// What a support does to the directors of its nodes (shells only).
+enum class DirectorSupport {
+  free,     ///< a hinge
+  held,     ///< a clamp
+  symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
+};
+
 /// Nodes whose positions are held in some directions, and moved by `displacement` at full load.
 struct Support {
   std::string name;
   std::vector<int> nodes;
   std::array<bool, 3> held{};
   Vec3 displacement = Vec3::Zero();  ///< mm at load 1
+  DirectorSupport director = DirectorSupport::free;
 };
 
-/// Dead load on the chain of nodes of an edge.
-struct EdgeLoad {
+/// Dead force or moment, shared by some nodes.
+struct NodalLoad {
   std::string name;
   std::vector<int> nodes;
-  Vec3 traction = Vec3::Zero();  ///< N per mm of pattern edge at load 1
+  std::vector<double> share;   ///< [node] times `value`: mm of edge, or 1
+  Vec3 value = Vec3::Zero();   ///< N or N mm per share at load 1
+  bool moment = false;         ///< turns the directors about a fixed axis in space
+};
+
+/// Pressure on one block of the mesh, along the current normal x_,1 x x_,2.
+struct FollowerPressure {
+  std::string name;
+  int block = 0;
+  double pressure = 0.0;  ///< MPa at load 1, per current area
 };
 
 struct ContactOptions {
@@ -35,11 +52,23 @@ struct ContactOptions {
   double relative_stiffness = 1.0;
 };
 
+/// What a shell has beyond a membrane.
+struct ShellSection {
+  int layers = 3;                ///< integration points through the thickness
+  double shear_modulus = 0.0;    ///< of transverse shear, correction factor included, MPa
+  bool placed_reference = false; ///< the placed shape is free of stress, not the flat pattern
+};
+
 /// Element formulation and fabric of one block of the mesh.
 struct BlockLaw {
   const element::Element* element = nullptr;
   const material::Material* material = nullptr;
+  ShellSection shell;
+  bool is_shell() const { return element->dofs_per_node() > 3; }
 };
+
+/// Tangents t_1, t_2 and director of a shell's node, as rows; right-handed and orthonormal.
+using Frame = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// Everything that is solved for, the same on every rank. The referenced objects must outlive it.
 struct Problem {
@@ -48,7 +77,8 @@ struct Problem {
   std::vector<std::vector<int>> clusters;
   std::vector<BlockLaw> laws;  ///< one a block
   std::vector<Support> supports;
-  std::vector<EdgeLoad> loads;
+  std::vector<NodalLoad> loads;
+  std::vector<FollowerPressure> pressures;
   const body::Surface* surface = nullptr;  ///< null: no contact is built
   ContactOptions contact;
   std::vector<std::vector<int>> element_rank;  ///< [block][element] owner
@@ -60,6 +90,10 @@ struct State {
   std::vector<Vec3> position;         ///< [cluster] position of the master, mm
   std::vector<double> contact_force;  ///< [cluster] N
   std::vector<double> offset;         ///< [cluster] contact surface inside the mid-surface, mm
+  /// [node] of shells, empty without: the director's frame, and the rotations theta that have led to it (rad). Theta is
+  /// additive and never reset; the tangents are transported along with the director, never turned about it.
+  std::vector<Frame> frame;
+  std::vector<std::array<double, 2>> rotation;
   double seam = 0.0;                  ///< 0: placed, 1: closed
   double load = 0.0;
 };
@@ -67,7 +101,21 @@ struct State {
 /// Position of a node: its cluster's master plus what is left of the placed separation (DESIGN: x = T y + b).
 Vec3 node_position(const Problem& problem, const State& state, int cluster, int node);
 
-/// Start of a run: the placed positions, no contact force.
+/// Start of a run: the placed positions, no contact force. Directors are the normals of the placed panels; where a
+/// support demands symmetry they lie in its plane, with t_1 normal to it.
 State placed_state(const Problem& problem);
+
+/// Normals of the planes of symmetry that a node's director must stay in.
+std::vector<Vec3> symmetry_normals(const Problem& problem, int node);
+
+/// The frame of a shell's node at the start, see placed_state.
+Frame start_frame(const Problem& problem, int node);
+
+/// Nodes of shells, [node].
+std::vector<bool> shell_nodes(const Problem& problem);
+
+/// The frame after the rotation w_1 t_1 + w_2 t_2 of its director, d = Exp(d_n, w); the tangents are transported along
+/// the great circle from d_n to d.
+Frame rotated(const Frame& frame, double w1, double w2);
 
 }  // namespace toile::solve
