@@ -21,7 +21,4 @@ std::string value_text(const Value& value);
 /// A type as the XML file names it, e.g. "Array(double)".
 std::string type_text(Type type);
 
-/// End of a message on an unknown name: `; did you mean "width"? Valid here: height, width`.
-std::string hint(const std::string& name, const Texts& valid);
-
 }  // namespace toile::base

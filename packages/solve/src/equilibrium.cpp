@@ -314,8 +314,9 @@ void Equilibrium::linearise(const Vector& z, double s) {
     add_contact_tangent(z, s, values);
     projection_.project(*tangent_, std::abs(mean_diagonal_), *projected_);
   }
-  linear_.update(want_fresh_);
-  if (want_fresh_) unshifted_pivots_ = -1;
+  const bool fresh = want_fresh_ || !seek_minimum_;
+  linear_.update(fresh);
+  if (fresh) unshifted_pivots_ = -1;
   factorise_positive();
   want_fresh_ = false;
 }
@@ -327,7 +328,7 @@ void Equilibrium::linearise(const Vector& z, double s) {
 void Equilibrium::factorise_positive() {
   if (!linear_.is_fresh()) return;
   unshifted_pivots_ = linear_.negative_pivots();
-  if (unshifted_pivots_ == 0) return;
+  if (unshifted_pivots_ == 0 || !seek_minimum_) return;
   double* values = projected_->getLocalMatrixHost().values.data();
   const double least = 1e-8 * std::abs(mean_diagonal_) / mean_mass_;
   double added = 0.0;

@@ -83,6 +83,10 @@ class Equilibrium {
   void start_step(const Vector& converged, double s);
   void set_damping(double coefficient) { damping_ = coefficient; }
   double damping() const { return damping_; }
+  /// Off where unstable equilibria are wanted: then the tangent is taken as it is, factorised afresh every time.
+  void seek_minimum(bool on) { seek_minimum_ = on; }
+  /// Whether the path of equilibria goes on (1) or back (-1) in s at z, which it has reached by the step dz, ds.
+  double path_direction(const Vector& z, double s, const Vector& dz, double ds);
   void set_first_step(double ds) { smallest_interval_ = ds; }
   double mean_tangent_diagonal() const { return mean_diagonal_; }
   double mean_mass() const { return mean_mass_; }
@@ -161,6 +165,7 @@ class Equilibrium {
   double last_shift_ = 0.0;
   int extrapolated_ = 0;
   bool want_fresh_ = true;
+  bool seek_minimum_ = true;
   std::vector<double> free_part_;      ///< [owned cluster]
   std::vector<Vec3> mean_separation_;  ///< [owned cluster] of the placed nodes from their master, mm
   std::vector<double> placed_depth_;   ///< [owned cluster] depth of that mean inside the body when placed, mm <= 0

@@ -80,6 +80,17 @@ void Equilibrium::start_step(const Vector& converged, double s) {
   elements_.adopt_frozen();
 }
 
+double Equilibrium::path_direction(const Vector& z, double s, const Vector& dz, double ds) {
+  constexpr double h = 1e-6;
+  Vector before(z.getMap()), after(z.getMap()), tangent(z.getMap());
+  residual(z, s - h, before);
+  residual(z, s + h, after);
+  after.update(-0.5 / h, before, 0.5 / h);
+  linearise(z, s);
+  if (!solve(after, tangent)) return ds;
+  return ds - dz.dot(tangent) < 0.0 ? -1.0 : 1.0;
+}
+
 double Equilibrium::dissipation(const Vector& z, double s) {
   positions(z, s);
   double total = 0.0;

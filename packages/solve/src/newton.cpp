@@ -75,7 +75,19 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
   return false;
 }
 
-RCP<Teuchos::ParameterList> newton_parameters() {
+namespace {
+
+// What a failed attempt has to say is said by the stage.
+void set_silent(Teuchos::ParameterList& list) {
+  Teuchos::ParameterList& printing = list.sublist("Printing");
+  printing.set("Output Information", 0);
+  for (const char* stream : {"Output Stream", "Error Stream"})
+    printing.set<RCP<std::ostream>>(stream, rcp(new Teuchos::oblackholestream));
+}
+
+}  // namespace
+
+RCP<Teuchos::ParameterList> newton_parameters(LineSearch kind) {
   RCP<Teuchos::ParameterList> list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Direction").set("Method", "Newton");
@@ -83,15 +95,16 @@ RCP<Teuchos::ParameterList> newton_parameters() {
   // would throw (and LOCA, if the group called it failed).
   list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", true);
   Teuchos::ParameterList& search = list->sublist("Line Search");
+  if (kind == LineSearch::none) {
+    search.set("Method", "Full Step");
+    set_silent(*list);
+    return list;
+  }
   search.set("Method", "User Defined");
   const RCP<NOX::LineSearch::UserDefinedFactory> factory =
       rcp(new NOX::LineSearch::UserDefinedFactoryT<EnergyLineSearch>);
   search.set("User Defined Line Search Factory", factory);
-  Teuchos::ParameterList& printing = list->sublist("Printing");
-  printing.set("Output Information", 0);
-  // What a failed attempt has to say is said by the stage.
-  for (const char* stream : {"Output Stream", "Error Stream"})
-    printing.set<RCP<std::ostream>>(stream, rcp(new Teuchos::oblackholestream));
+  set_silent(*list);
   return list;
 }
 

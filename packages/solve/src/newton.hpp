@@ -42,7 +42,13 @@ class EnergyLineSearch : public NOX::LineSearch::Generic {
                const NOX::Solver::Generic& solver) override;
 };
 
-/// NOX parameters of every solve: Newton with the energy line search, silent.
-RCP<Teuchos::ParameterList> newton_parameters();
+/// How far a Newton step goes.
+enum class LineSearch {
+  energy,  ///< as far as the potential of the step falls
+  none     ///< all the way: unstable equilibria are no minima
+};
+
+/// NOX parameters of every solve: Newton's method, silent.
+RCP<Teuchos::ParameterList> newton_parameters(LineSearch kind);
 
 }  // namespace toile::solve

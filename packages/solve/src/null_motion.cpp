@@ -40,7 +40,7 @@ std::string name_of(const Motion& motion, const Vec3& centre, double length) {
 }  // namespace
 
 std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state,
-                                          const std::vector<std::array<HeldComponent, 3>>& held, bool seams_closed) {
+                                          const Held& held, bool seams_closed) {
   constexpr double touching = 1.0;  // mm: nodes this near count as guided by the body
   Vec3 centre = Vec3::Zero();
   for (const Vec3& p : state.position) centre += p / static_cast<double>(state.position.size());
@@ -49,12 +49,13 @@ std::vector<NullMotion> find_null_motions(const Problem& problem, const State& s
 
   Eigen::Matrix<double, 6, 6> resistance = Eigen::Matrix<double, 6, 6>::Zero();
   double scale = 0.0;
+  const std::vector<bool> is_shell = shell_nodes(problem);
   for (size_t c = 0; c < state.position.size(); ++c) {
     const Vec3& x = state.position[c];
     const Generator g = generator(x, centre, length);
     scale += g.squaredNorm();
     for (int i = 0; i < 3; ++i)
-      if (held[c][i].held) resistance += g.row(i).transpose() * g.row(i);
+      if (held.position[c][i].held) resistance += g.row(i).transpose() * g.row(i);
     if (problem.surface != nullptr) {
       const body::SurfacePoint p = problem.surface->closest(x);
       if (p.found && std::abs(p.gap - state.offset[c]) < touching) {
@@ -69,6 +70,15 @@ std::vector<NullMotion> find_null_motions(const Problem& problem, const State& s
     }
   }
 
+  // A clamped director resists the rotations that would turn it.
+  for (size_t n = 0; n < state.frame.size(); ++n)
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      if (!is_shell[n] || !held.rotation[n][static_cast<size_t>(k)]) continue;
+      Motion turn = Motion::Zero();
+      turn.tail<3>() = state.frame[n].row(2).cross(state.frame[n].row(k)).transpose();
+      resistance += turn * turn.transpose();
+    }
+
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(resistance);
   std::vector<NullMotion> motions;
   std::vector<std::array<bool, 3>> taken(state.position.size(), {false, false, false});
@@ -80,7 +90,7 @@ std::vector<NullMotion> find_null_motions(const Problem& problem, const State& s
     for (size_t c = 0; c < state.position.size(); ++c) {
       const Vec3 r = generator(state.position[c], centre, length) * motion;
       for (int i = 0; i < 3; ++i)
-        if (!taken[c][i] && !held[c][i].held && std::abs(r[i]) > largest * (1.0 + 1e-9)) {
+        if (!taken[c][i] && !held.position[c][i].held && std::abs(r[i]) > largest * (1.0 + 1e-9)) {
           largest = std::abs(r[i]);
           found.cluster = static_cast<int>(c);
           found.component = i;

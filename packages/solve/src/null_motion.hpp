@@ -17,6 +17,6 @@ struct NullMotion {
 /// The null motions of a configuration: rigid motions r for which the held components, the separations across seams
 /// (`seams_closed`: none) and, at nodes that touch the body, the gap do not change to first order.
 std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state,
-                                          const std::vector<std::array<HeldComponent, 3>>& held, bool seams_closed);
+                                          const Held& held, bool seams_closed);
 
 }  // namespace toile::solve

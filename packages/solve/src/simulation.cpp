@@ -24,8 +24,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem,
-                                                          const std::set<std::string>& released) {
+std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
+                                                         const std::set<std::string>& released) {
   std::vector<int> cluster_of(problem.mesh->nodes());
   for (size_t c = 0; c < problem.clusters.size(); ++c)
     for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
@@ -45,6 +45,25 @@ std::vector<std::array<HeldComponent, 3>> held_components(const Problem& problem
         h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i],
              static_cast<int>(s)};
       }
+  }
+  return held;
+}
+
+/// Which rotations the supports hold: all of a clamp, and those out of a plane of symmetry.
+std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const State& state,
+                                                const std::set<std::string>& released) {
+  if (state.frame.empty()) return {};
+  std::vector<std::array<bool, 2>> held;
+  for (const bool is_shell : shell_nodes(problem)) held.push_back({!is_shell, !is_shell});
+  constexpr double along = 0.9;  // a tangent that start_frame laid along the normal of the plane
+  for (const Support& support : problem.supports) {
+    if (support.director == DirectorSupport::free || released.count(support.name)) continue;
+    for (const int node : support.nodes)
+      for (Eigen::Index k = 0; k < 2; ++k)
+        for (Eigen::Index d = 0; d < 3; ++d)
+          if (support.director == DirectorSupport::held ||
+              (support.held[static_cast<size_t>(d)] && std::abs(state.frame[node](k, d)) > along))
+            held[node][static_cast<size_t>(k)] = true;
   }
   return held;
 }
@@ -70,6 +89,10 @@ struct Simulation::Data {
   RCP<Vector> z;
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
+  // Of the last step whose negative pivots were counted.
+  int pivots = -1;
+  double pivots_load = 0.0, last_direction = 1.0, s_counted = 0.0;
+  RCP<Vector> z_counted;
 
   Data(const Problem& p, const SolverOptions& o)
       : problem(p), options(o), comm(Tpetra::getDefaultComm()), state(placed_state(p)) {}
@@ -82,6 +105,8 @@ struct Simulation::Data {
   void march();
   double first_damping() const;
   double undamped_residual(double s);
+  LineSearch line_search() const { return stage.arc_length ? LineSearch::none : LineSearch::energy; }
+  void count_pivots(double s, StepReport& report);
   void adapt_damping(double dissipated_now);
   void run_stepper();
 };
@@ -120,18 +145,23 @@ void Simulation::Data::build() {
   if (stage.type == StageType::sew) drive.seam_end = stage.target;
   if (stage.type == StageType::load) drive.load_end = stage.target;
   const bool closed_at_end = drive.seam_end >= 1.0;
-  auto held = held_components(problem, released);
+  Held held{held_positions(problem, released), held_rotations(problem, state, released)};
   for (const NullMotion& motion : find_null_motions(problem, state, held, closed_at_end)) {
-    held[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0, -1};
+    held.position[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0, -1};
     notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
                     "; one component of one node is held against it");
   }
   equilibrium = std::make_shared<Equilibrium>(problem, state, held, drive, options, comm);
   z = equilibrium->start_vector();
-  equilibrium->update_offsets(*z, 0.0, 0.0);
+  equilibrium->update_thickness(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
   reached = 0.0;
+  pivots = -1;
+  last_direction = 1.0;
+  s_counted = 0.0;
+  z_counted = z;
+  equilibrium->seek_minimum(!stage.arc_length);
   equilibrium->set_first_step(stage.first_step);
   equilibrium->start_step(*z, 0.0);
   statistics.unknowns = static_cast<int>(equilibrium->map()->getGlobalNumElements());
@@ -184,19 +214,47 @@ void Simulation::Data::accept(double s, const Imbalance& imbalance, bool undampe
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
   equilibrium->start_step(*z, s);
-  if (undamped) {
-    equilibrium->linearise(*z, s);
-    report.negative_pivots = equilibrium->unshifted_negative_pivots();
-  }
+  if (undamped || stage.stability_every_step) count_pivots(s, report);
   if (equilibrium->damping() > 0.0) adapt_damping(now);
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   iterations = cut_backs = 0;
   if (observer) observer(report, state);
 }
 
+// The tangent without damping tells stable from unstable; a change between two steps tells what was passed.
+void Simulation::Data::count_pivots(double s, StepReport& report) {
+  const double damping = equilibrium->damping();
+  equilibrium->set_damping(0.0);
+  equilibrium->start_step(*z, s);
+  double direction = 1.0;
+  if (stage.arc_length) {
+    Vector step(*z, Teuchos::Copy);
+    step.update(-1.0, *z_counted, 1.0);
+    direction = equilibrium->path_direction(*z, s, step, s - s_counted);
+  } else {
+    equilibrium->linearise(*z, s);
+  }
+  equilibrium->set_damping(damping);
+  report.negative_pivots = equilibrium->unshifted_negative_pivots();
+  if (pivots >= 0 && report.negative_pivots >= 0 && report.negative_pivots != pivots) {
+    report.critical = direction * last_direction < 0.0 ? CriticalPoint::limit : CriticalPoint::bifurcation;
+    std::ostringstream note;
+    note << "stage \"" << stage.name << "\": "
+         << (report.critical == CriticalPoint::limit ? "a limit point" : "a bifurcation") << " was passed between load "
+         << pivots_load << " and " << report.load << " (negative pivots " << pivots << " -> " << report.negative_pivots
+         << ")";
+    notes.push_back(note.str());
+  }
+  last_direction = direction;
+  pivots = report.negative_pivots;
+  pivots_load = report.load;
+  s_counted = s;
+  z_counted = rcp(new Vector(*z, Teuchos::Copy));
+}
+
 bool Simulation::Data::solve(double s) {
   const RCP<Teuchos::ParameterList> top = Teuchos::parameterList();
-  top->sublist("NOX") = *newton_parameters();
+  top->sublist("NOX") = *newton_parameters(line_search());
   const RCP<LOCA::GlobalData> global = LOCA::createGlobalData(top);
   const RCP<EquilibriumGroup> group =
       rcp(new EquilibriumGroup(global, equilibrium, *z, s, std::make_shared<StepHooks>()));
@@ -219,7 +277,7 @@ bool Simulation::Data::finish() {
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
     if (!solve(1.0)) return false;
-    if (equilibrium->update_offsets(*z, 1.0, same_offset) == 0.0) return true;
+    if (equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0) return true;
     equilibrium->retract(*z, 1.0);
   }
   return false;
@@ -245,13 +303,13 @@ bool Simulation::Data::relax() {
 
 void Simulation::Data::run_stepper() {
   const RCP<Teuchos::ParameterList> top = Teuchos::parameterList();
-  top->sublist("NOX") = *newton_parameters();
+  top->sublist("NOX") = *newton_parameters(line_search());
   Teuchos::ParameterList& loca = top->sublist("LOCA");
   Teuchos::ParameterList& stepper = loca.sublist("Stepper");
-  stepper.set("Continuation Method", "Natural");
+  stepper.set("Continuation Method", stage.arc_length ? "Arc Length" : "Natural");
   stepper.set("Continuation Parameter", "s");
   stepper.set("Initial Value", 0.0);
-  stepper.set("Min Value", -1.0);
+  stepper.set("Min Value", -1e3);  // never met: between limit points the load may change its sign
   stepper.set("Max Value", 1.0);
   stepper.set("Max Steps", stage.max_steps);
   stepper.set("Max Nonlinear Iterations", options.newton.max_iterations);
@@ -279,7 +337,7 @@ void Simulation::Data::run_stepper() {
     }
     z = rcp(new Vector(at, Teuchos::Copy));
     accept(s, test->last(), false);
-    equilibrium->update_offsets(*z, s, 0.0);
+    equilibrium->update_thickness(*z, s, 0.0);
   };
   const RCP<EquilibriumGroup> group = rcp(new EquilibriumGroup(global, equilibrium, *z, 0.0, hooks));
   LOCA::Stepper run(global, group, test, top);

@@ -20,7 +20,11 @@ Spec& add_steps(Spec& spec) {
             {0.0, 1.0, true, false})
       .real("smallest step", "", "Smallest step; if it fails as well, the run ends.", 1e-4, {0.0, 1.0, true, false})
       .real("largest step", "", "Largest step of the continuation.", 0.5, {0.0, 1.0, true, false})
-      .integer("most steps", "Number of steps after which the run ends.", 200, Range::at_least(1));
+      .integer("most steps", "Number of steps after which the run ends.", 200, Range::at_least(1))
+      .choice("stability",
+              "When the negative pivots of the tangent are counted, which tell a stable equilibrium from an unstable "
+              "one and mark limit points and bifurcations.",
+              {"at the end", "every step"}, std::string("at the end"));
 }
 
 Spec damping_spec() {
@@ -47,11 +51,7 @@ std::vector<int> nodes_of(const List& list, const mesh::Mesh& mesh, const std::s
     return nodes;
   }
   for (const auto& [key, value] : mesh.edges) valid.push_back(key);
-  const std::string near = base::nearest_name(name, valid);
-  std::string all;
-  for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
-  list.fail("on", "no edge or panel is named \"" + name + "\"" +
-                      (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
+  list.fail("on", "no edge or panel is named \"" + name + "\"" + base::hint(name, valid));
 }
 
 Vec3 vector_of(const List& list, const std::string& name) {
@@ -65,7 +65,12 @@ Vec3 vector_of(const List& list, const std::string& name) {
 Spec stages_spec() {
   Spec sew = stage_common("sew", "Closes the seams step by step.");
   Spec load = stage_common("load", "Moves the supports and applies the loads step by step.");
-  load.real("target", "", "Load factor at the end of the stage; 1: the full displacements and loads.", 1.0);
+  load.real("target", "", "Load factor at the end of the stage; 1: the full displacements and loads.", 1.0)
+      .choice("continuation",
+              "natural: step by step in the load. arc length: along the path of equilibria, through limit points where "
+              "the load turns back, until the load first reaches \"target\"; steps are arc lengths, scaled so that the "
+              "first is \"first step\" of the load. Without body and damping only.",
+              {"natural", "arc length"}, std::string("natural"));
   for (Spec* spec : {&sew, &load}) add_steps(*spec).list(damping_spec());
   Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads.");
   settle.list(damping_spec());
@@ -82,18 +87,26 @@ std::vector<StageOptions> read_stages(const List& list) {
     const std::string& type = entry.word("type");
     s.type = type == "sew" ? StageType::sew : type == "load" ? StageType::load : StageType::settle;
     s.released = entry.words("release");
-    if (s.type == StageType::load) s.target = entry.real("target");
+    if (s.type == StageType::load) {
+      s.target = entry.real("target");
+      s.arc_length = entry.word("continuation") == "arc length";
+    }
     if (s.type != StageType::settle) {
       s.first_step = entry.real("first step");
       s.smallest_step = entry.real("smallest step");
       s.largest_step = entry.real("largest step");
       s.max_steps = entry.integer("most steps");
+      s.stability_every_step = s.arc_length || entry.word("stability") == "every step";
       if (s.smallest_step > s.first_step)
         entry.fail("smallest step", "must not be larger than \"first step\" (" + std::to_string(s.first_step) + ")");
     }
     if (entry.has_list("Damping")) {
       const List damping = entry.list("Damping");
       s.damping = {true, damping.real("fraction"), damping.real("limit")};
+      if (s.arc_length)
+        entry.fail("continuation",
+                   "must be \"natural\" in a stage with a list \"Damping\": arc length continuation follows undamped "
+                   "equilibria, unstable ones too. Leave out one of them");
     }
     stages.push_back(s);
   }
@@ -144,7 +157,11 @@ Spec supports_spec() {
   Spec support("support", "Nodes that are held in some directions.");
   support.words("on", "Names of edges (for instance front.top) or of whole panels (front).")
       .choice("hold", "Directions that are held.", {"x", "y", "z", "xy", "xz", "yz", "xyz"})
-      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0});
+      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0})
+      .choice("director",
+              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), or symmetry (the panel stays "
+              "perpendicular to the plane of symmetry, whose normal is each held direction).",
+              {"free", "held", "symmetry"}, std::string("free"));
   return Spec("Supports", "Where the garment is held.").entries(support);
 }
 
@@ -164,22 +181,79 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
     for (int i = 0; i < 3; ++i)
       if (s.displacement[i] != 0.0 && !s.held[i])
         entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
+    const std::string& director = entry.word("director");
+    s.director = director == "held"       ? DirectorSupport::held
+                 : director == "symmetry" ? DirectorSupport::symmetry
+                                          : DirectorSupport::free;
     supports.push_back(s);
   }
   return supports;
 }
 
 Spec loads_spec() {
-  Spec load("load", "Force along an edge that keeps its direction.");
-  load.word("on", "Name of an edge, for instance front.top.")
+  Spec edge("edge", "Force along an edge that keeps its direction.");
+  edge.word("on", "Name of an edge, for instance front.top.")
       .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z).");
+  Spec point("point", "Force on each named node that keeps its direction.");
+  point.word("on", "Name of a corner (front.top-left), a place on an edge (front.top@0.5) or an edge.")
+      .reals("force", "N", "Force at load 1 (x, y, z).");
+  Spec moment("edge moment", "Moment along an edge of shells, about an axis that keeps its direction.");
+  moment.word("on", "Name of an edge, for instance front.top.")
+      .reals("moment", "N mm/mm", "Moment per length of the pattern's edge at load 1 (x, y, z).");
+  Spec pressure("pressure", "Pressure that follows the panel: on its current area, along its current normal.");
+  pressure.word("on", "Name of a panel.")
+      .real("pressure", "MPa",
+            "At load 1; positive: towards the side from which the pattern's x and y run counter-clockwise.");
+  Spec load("load", "One load.");
+  load.variant("type", "Kind of load.", {edge, point, moment, pressure}, std::string("edge"));
   return Spec("Loads", "Forces on the garment.").entries(load);
 }
 
-std::vector<EdgeLoad> read_loads(const List& list, const mesh::Mesh& mesh) {
-  std::vector<EdgeLoad> loads;
+namespace {
+
+/// Length of the pattern's edge that belongs to each of its nodes, mm.
+std::vector<double> nodal_lengths(const mesh::Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<double> lengths(nodes.size(), 0.0);
+  for (size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double half = 0.5 * (mesh.pattern[nodes[i + 1]] - mesh.pattern[nodes[i]]).norm();
+    lengths[i] += half;
+    lengths[i + 1] += half;
+  }
+  return lengths;
+}
+
+FollowerPressure read_pressure(const List& entry, const mesh::Mesh& mesh) {
+  base::Texts names;
+  for (const mesh::Block& block : mesh.blocks) names.push_back(block.name);
+  const auto found = std::find(names.begin(), names.end(), entry.word("on"));
+  if (found == names.end())
+    entry.fail("on", "no panel is named \"" + entry.word("on") + "\"" + base::hint(entry.word("on"), names));
+  return {entry.name(), static_cast<int>(found - names.begin()), entry.real("pressure")};
+}
+
+NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
+  const std::string& type = entry.word("type");
+  NodalLoad load;
+  load.name = entry.name();
+  load.nodes = nodes_of(entry, mesh, entry.word("on"));
+  load.moment = type == "edge moment";
+  load.value = vector_of(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
+  if (type == "point")
+    load.share.assign(load.nodes.size(), 1.0);
+  else
+    load.share = nodal_lengths(mesh, load.nodes);
+  return load;
+}
+
+}  // namespace
+
+Loads read_loads(const List& list, const mesh::Mesh& mesh) {
+  Loads loads;
   for (const List& entry : list.entries())
-    loads.push_back({entry.name(), nodes_of(entry, mesh, entry.word("on")), vector_of(entry, "traction")});
+    if (entry.word("type") == "pressure")
+      loads.pressures.push_back(read_pressure(entry, mesh));
+    else
+      loads.nodal.push_back(read_nodal_load(entry, mesh));
   return loads;
 }
 

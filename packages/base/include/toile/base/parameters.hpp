@@ -155,6 +155,9 @@ List validate(const Teuchos::ParameterList& list, const Spec& spec, const std::s
 /// The one of `valid` that is closest to `name` by edit distance; empty if none is near.
 std::string nearest_name(const std::string& name, const Texts& valid);
 
+/// End of a message on an unknown name: `; did you mean "width"? Valid here: height, width`.
+std::string hint(const std::string& name, const Texts& valid);
+
 /// Input reference of `spec` as Markdown (doc/) or plain text (`toile describe`).
 std::string describe_markdown(const Spec& spec);
 std::string describe_text(const Spec& spec);

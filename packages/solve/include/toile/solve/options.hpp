@@ -40,6 +40,8 @@ struct StageOptions {
   double smallest_step = 1e-4;
   double largest_step = 0.5;
   int max_steps = 200;
+  bool arc_length = false;            ///< pseudo-arc-length instead of natural continuation
+  bool stability_every_step = false;  ///< count negative pivots at every accepted step, not at the end only
   DampingOptions damping;
   std::vector<std::string> released;  ///< supports that end with the start of this stage
 };

@@ -21,6 +21,13 @@ struct ForceBalance {
   Vec3 sum() const;
 };
 
+/// What lies between an accepted step and the one before, told by a change of the number of negative pivots.
+enum class CriticalPoint {
+  none,
+  limit,       ///< the load turned back
+  bifurcation  ///< the load went on: another path branches off
+};
+
 /// One accepted step.
 struct StepReport {
   std::string stage;
@@ -36,6 +43,7 @@ struct StepReport {
   double dissipated = 0.0;         ///< accumulated over the run, N mm
   double dissipation_ratio = 0.0;  ///< accumulated dissipation over the largest strain energy
   int negative_pivots = -1;        ///< of the tangent at the accepted state; -1: not known
+  CriticalPoint critical = CriticalPoint::none;
   int extrapolated = 0;            ///< elements outside the calibrated range of their fabric
   bool undamped = false;           ///< this is the final state of its stage, without damping
   ForceBalance balance;

@@ -30,8 +30,12 @@ std::vector<Support> read_supports(const base::List& list, const mesh::Mesh& mes
 /// `supports`: the list that `problem.supports` was read from, null if there is none. Throws base::InputError.
 void check_supports(const base::List* supports, const base::List& stages, const Problem& problem);
 
-/// List "Loads": one entry an edge load.
+/// List "Loads": one entry a load.
 base::Spec loads_spec();
-std::vector<EdgeLoad> read_loads(const base::List& list, const mesh::Mesh& mesh);
+struct Loads {
+  std::vector<NodalLoad> nodal;
+  std::vector<FollowerPressure> pressures;
+};
+Loads read_loads(const base::List& list, const mesh::Mesh& mesh);
 
 }  // namespace toile::solve
