@@ -46,10 +46,11 @@ struct Garment {
 void residual_and_tangent(benchmark::State& state, const char* element_name, const char* material_name) {
   const element::Element& element = *element::find(element_name);
   const material::MaterialV1& law = *material::find(material_name);
+  const material::PlainResponse response(law);
   const std::vector<double> params = pantyhose(law);
   const Garment garment(element);
   const element::Batch batch = {
-      count, garment.pattern.data(), garment.x.data(), garment.wale_angle.data(), &law, params.data(), false, 1.0};
+      count, garment.pattern.data(), garment.x.data(), garment.wale_angle.data(), &response, params.data(), false, 1.0};
   std::vector<double> residual(count * element.ndof()), tangent(count * element.ndof() * element.ndof());
 
   const int chunk = 64 * element.points();

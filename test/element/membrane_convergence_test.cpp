@@ -40,7 +40,7 @@ Eigen::Matrix<double, 3, 2> exact_stress(const Law& law, const Eigen::Vector2d& 
   const double C[3] = {F.col(0).squaredNorm(), F.col(1).squaredNorm(), F.col(0).dot(F.col(1))};
   double W, S[3], stretch;
   std::uint8_t status;
-  law.law->evaluate(1, C, law.params.data(), 0, &W, S, nullptr, &stretch, nullptr, &status);
+  law.response->evaluate(1, C, law.params.data(), 0, &W, S, nullptr, &stretch, &status);
   Eigen::Matrix2d stress;
   stress << S[0], S[2], S[2], S[1];
   return thickness * F * stress * R.transpose();

@@ -40,7 +40,7 @@ const Law& closed_neo_hookean() {
   static const material::ParamInfo info = {"C10", "MPa", "half the shear modulus", 0.0, 0.0, 1.0, 1};
   static const material::MaterialV1 interface = {
       material::material_abi, "closed neo-hookean", "test", 1, &info, nullptr, evaluate_neo_hookean};
-  static const Law law = {"closed neo-hookean", &interface, {8.4667e-3}};
+  static const Law law = {"closed neo-hookean", std::make_shared<material::PlainResponse>(interface), {8.4667e-3}};
   return law;
 }
 
@@ -50,7 +50,8 @@ std::vector<Law> laws() {
     const material::ParamSet* const end = law->sets + law->n_sets;
     const auto* set = std::find_if(law->sets, end, [](const auto& s) { return std::string(s.name) == "pantyhose"; });
     if (set == end) throw std::logic_error(std::string(law->name) + " has no set \"pantyhose\"");
-    all.push_back({law->name, law, {set->values, set->values + law->n_params}});
+    all.push_back(
+        {law->name, std::make_shared<material::PlainResponse>(*law), {set->values, set->values + law->n_params}});
   }
   return all;
 }
@@ -67,7 +68,7 @@ Batch Arrays::batch() const {
   batch.pattern = pattern.data();
   batch.x = x.data();
   batch.wale_angle = wale_angle.data();
-  batch.law = law.law;
+  batch.response = law.response.get();
   batch.graduated = !params.empty();
   batch.params = batch.graduated ? params.data() : law.params.data();
   batch.thickness = thickness;

@@ -3,20 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <memory>
 #include <random>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "toile/element/element.hpp"
-#include "toile/material/material.hpp"
+#include "toile/material/response.hpp"
 
 namespace toile::element::testing {
 
 /// A material with one set of parameters.
 struct Law {
   std::string name;
-  const material::MaterialV1* law;
+  std::shared_ptr<const material::Response> response;
   std::vector<double> params;
 };
 

@@ -113,7 +113,7 @@ void Membrane<Nodes, Points>::kinematics(const Batch& batch, int first, int coun
 
 template <int Nodes, int Points>
 void Membrane<Nodes, Points>::spread_params(const Batch& batch, int first, Chunk& chunk) {
-  const int n_params = batch.law->n_params;
+  const int n_params = batch.response->n_params();
   chunk.params.resize(static_cast<std::size_t>(n_params) * chunk_points);
   for (int k = 0; k < chunk.n; ++k) {
     const double* values = batch.params + static_cast<std::ptrdiff_t>(first + k / Points) * n_params;
@@ -125,9 +125,9 @@ template <int Nodes, int Points>
 void Membrane<Nodes, Points>::respond(const Batch& batch, int first, bool with_tangent, Chunk& chunk) {
   if (batch.graduated) spread_params(batch, first, chunk);
   const double* params = batch.graduated ? chunk.params.data() : batch.params;
-  batch.law->evaluate(chunk.n, chunk.C.data(), params, batch.graduated ? 1 : 0, chunk.W.data(), chunk.S.data(),
-                      with_tangent ? chunk.D.data() : nullptr, chunk.thickness_stretch.data(), nullptr,
-                      chunk.status.data());
+  batch.response->evaluate(chunk.n, chunk.C.data(), params, batch.graduated ? 1 : 0, chunk.W.data(), chunk.S.data(),
+                           with_tangent ? chunk.D.data() : nullptr, chunk.thickness_stretch.data(),
+                           chunk.status.data());
   for (int k = 0; k < chunk.n; ++k) {
     if (!(chunk.point[k].area > 0.0)) chunk.status[k] = material::point_not_admissible;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "toile/base/error.hpp"
+#include "toile/material/response.hpp"
 #include "words.hpp"
 
 namespace toile::material {
@@ -71,7 +72,10 @@ double interpolate(const std::vector<std::pair<double, double>>& rows, double po
 }  // namespace
 
 Material::Material(const base::List& list)
-    : law_(find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
+    : law_(find(list.word("type"))),
+      name_(list.name()),
+      thickness_(list.real("thickness")),
+      response_(std::make_shared<PlainResponse>(*law_)) {
   const ParamSet* set = named_set(*law_, list);
   for (int i = 0; i < law_->n_params; ++i) {
     const ParamInfo& info = law_->info[i];
@@ -93,7 +97,11 @@ Material::Material(const base::List& list)
 }
 
 Material::Material(const MaterialV1& law, std::vector<double> params, double thickness)
-    : law_(&law), name_(law.name), thickness_(thickness), params_(std::move(params)) {
+    : law_(&law),
+      name_(law.name),
+      thickness_(thickness),
+      params_(std::move(params)),
+      response_(std::make_shared<PlainResponse>(law)) {
   if (static_cast<int>(params_.size()) != law.n_params)
     throw base::InputError("Material \"" + name_ + "\" has " + std::to_string(law.n_params) + " parameters, not " +
                            std::to_string(params_.size()));

@@ -89,9 +89,9 @@ element::Batch ElementAssembly::batch(const Part& part, int first, int count) co
   b.pattern = &part.pattern[f * part.nodes * 2];
   b.x = &part.x[f * part.element->ndof()];
   b.wale_angle = &part.wale_angle[f];
-  b.law = &part.material->law();
+  b.response = &part.material->response();
   b.graduated = part.material->graduated();
-  b.params = b.graduated ? &part.params[f * b.law->n_params] : part.params.data();
+  b.params = b.graduated ? &part.params[f * b.response->n_params()] : part.params.data();
   b.thickness = part.material->thickness();
   if (part.layout->shell) {
     b.frames = &part.frames[9 * f * part.nodes];

@@ -77,7 +77,7 @@ BlockArrays arrays_of(const mesh::Mesh& mesh, const mesh::Block& block, const Bl
   a.batch.pattern = a.pattern.data();
   a.batch.x = a.x.data();
   a.batch.wale_angle = block.wale_angle.data();
-  a.batch.law = &law.material->law();
+  a.batch.response = &law.material->response();
   a.batch.params = a.params.data();
   a.batch.graduated = law.material->graduated();
   a.batch.thickness = law.material->thickness();

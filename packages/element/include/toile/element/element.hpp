@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "toile/material/material.hpp"
+#include "toile/material/response.hpp"
 
 namespace toile::element {
 
@@ -13,14 +13,14 @@ struct Batch {
   const double* pattern = nullptr;     ///< [n][nodes][2] reference coordinates, mm
   const double* x = nullptr;           ///< [n][nodes][dofs_per_node] current unknowns (positions in mm first)
   const double* wale_angle = nullptr;  ///< [n] radians from the pattern's x axis
-  const material::MaterialV1* law = nullptr;
+  const material::Response* response = nullptr;
   const double* params = nullptr;  ///< [n_params] or [n][n_params] if graduated
   bool graduated = false;
   double thickness = 1.0;  ///< h0, mm
 
   // Of shells only.
-  /// [n][nodes][9] orthonormal frame of each node at the start of the step: tangents t_1, t_2 and the director d_n. With
-  /// the node's last two unknowns w (rotations since the start of the step), d = Exp(d_n, w_1 t_1 + w_2 t_2).
+  /// [n][nodes][9] orthonormal frame of each node at the start of the step: tangents t_1, t_2 and the director d_n.
+  /// With the node's last two unknowns w (rotations since the start of the step), d = Exp(d_n, w_1 t_1 + w_2 t_2).
   const double* frames = nullptr;
   /// [n][nodes][6] stress-free position (mm) and unit director of a curved reference; null: the flat pattern.
   const double* reference = nullptr;

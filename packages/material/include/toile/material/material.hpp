@@ -76,6 +76,8 @@ const MaterialV1* find(const std::string& name);
 /// holds "thickness" (mm, default 1).
 base::Spec material_spec();
 
+class Response;
+
 /// A material with the parameters of one scene: uniform, or varying along the panel's coordinate.
 class Material {
  public:
@@ -87,6 +89,8 @@ class Material {
   Material(const MaterialV1& law, std::vector<double> params, double thickness = 1.0);
 
   const MaterialV1& law() const { return *law_; }
+  /// What elements ask. Copies of this material share it.
+  const Response& response() const { return *response_; }
   const std::string& name() const { return name_; }
   double thickness() const { return thickness_; }  ///< h0, mm
   bool graduated() const { return !tables_.empty(); }
@@ -106,6 +110,7 @@ class Material {
   double thickness_;
   std::vector<double> params_;
   std::vector<Table> tables_;
+  std::shared_ptr<const Response> response_;
 };
 
 }  // namespace toile::material

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+
+#include "toile/material/material.hpp"
+
+namespace toile::material {
+
+/// What an element asks of a fabric: the energy of its law, or one derived from it (see PlainResponse).
+///
+/// Thread-safe, never throws. All arrays have the layouts of MaterialV1; params are [n_params][n] with param_stride = 1
+/// or [n_params] with param_stride = 0.
+class Response {
+ public:
+  virtual ~Response() = default;
+
+  virtual int n_params() const = 0;
+  /// W [n] and S [3][n] in MPa, D [6][n] (or null) in MPa, thickness_stretch [n], status [n] of n points C [3][n].
+  /// Returns the number of points that are not admissible; these are NaN.
+  virtual int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
+                       double* thickness_stretch, std::uint8_t* status) const = 0;
+  /// Shear modulus D33 (MPa) of the law itself in its natural state C = I, for `params` [n_params].
+  virtual double natural_shear_modulus(const double* params) const = 0;
+};
+
+/// A law as it is: one call of its function.
+class PlainResponse final : public Response {
+ public:
+  /// Keeps a reference to `law`.
+  explicit PlainResponse(const MaterialV1& law) : law_(&law) {}
+
+  const MaterialV1& law() const { return *law_; }
+  int n_params() const override { return law_->n_params; }
+  int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
+               double* thickness_stretch, std::uint8_t* status) const override {
+    return law_->evaluate(n, C, params, param_stride, W, S, D, thickness_stretch, nullptr, status);
+  }
+  double natural_shear_modulus(const double* params) const override;
+
+ private:
+  const MaterialV1* law_;
+};
+
+}  // namespace toile::material
