@@ -193,7 +193,7 @@ TEST_P(MembraneConvergence, DisplacementIsSecondOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MembraneConvergence,
-                         ::testing::Combine(::testing::ValuesIn(registry()), ::testing::ValuesIn(laws())), case_name);
+                         ::testing::Combine(::testing::ValuesIn(membranes()), ::testing::ValuesIn(laws())), case_name);
 
 }  // namespace
 }  // namespace toile::element::testing

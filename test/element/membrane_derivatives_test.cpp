@@ -103,7 +103,7 @@ TEST_P(MembraneDerivatives, RigidPatternIsNaturalState) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MembraneDerivatives,
-                         ::testing::Combine(::testing::ValuesIn(registry()), ::testing::ValuesIn(laws())), case_name);
+                         ::testing::Combine(::testing::ValuesIn(membranes()), ::testing::ValuesIn(laws())), case_name);
 
 }  // namespace
 }  // namespace toile::element::testing

@@ -156,7 +156,7 @@ TEST(Membrane4, NodalAreasOfSaddleAreIntegralOfShapeFunction) {
   EXPECT_GT(areas[2] - areas[0], 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MembraneInterface, ::testing::ValuesIn(registry()),
+INSTANTIATE_TEST_SUITE_P(All, MembraneInterface, ::testing::ValuesIn(membranes()),
                          [](const auto& test) { return std::string(test.param->name()); });
 
 }  // namespace

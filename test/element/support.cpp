@@ -56,6 +56,26 @@ std::vector<Law> laws() {
   return all;
 }
 
+namespace {
+
+std::vector<const Element*> with_dofs(int dofs_per_node) {
+  std::vector<const Element*> some;
+  for (const Element* element : registry()) {
+    if (element->dofs_per_node() == dofs_per_node) some.push_back(element);
+  }
+  return some;
+}
+
+}  // namespace
+
+std::vector<const Element*> membranes() {
+  return with_dofs(3);
+}
+
+std::vector<const Element*> shells() {
+  return with_dofs(5);
+}
+
 std::string case_name(const ::testing::TestParamInfo<std::tuple<const Element*, Law>>& info) {
   std::string text = std::string(std::get<0>(info.param)->name()) + "_" + std::get<1>(info.param).name;
   for (char& letter : text) letter = std::isalnum(static_cast<unsigned char>(letter)) ? letter : '_';
@@ -72,7 +92,23 @@ Batch Arrays::batch() const {
   batch.graduated = !params.empty();
   batch.params = batch.graduated ? params.data() : law.params.data();
   batch.thickness = thickness;
+  batch.frames = frames.empty() ? nullptr : frames.data();
+  batch.reference = reference.empty() ? nullptr : reference.data();
+  batch.frozen = frozen.empty() ? nullptr : frozen.data();
+  batch.layers = layers;
+  batch.shear_modulus = shear_modulus;
   return batch;
+}
+
+Arrays Arrays::single(int e) const {
+  Arrays one = *this;
+  const auto cut = [&](std::vector<double>& values) {
+    const std::size_t length = values.size() / wale_angle.size();
+    values = std::vector<double>(values.begin() + length * e, values.begin() + length * (e + 1));
+  };
+  for (auto* values : {&one.pattern, &one.x, &one.params, &one.frames, &one.reference, &one.frozen}) cut(*values);
+  one.wale_angle = {wale_angle[e]};
+  return one;
 }
 
 Values evaluate(const Arrays& arrays) {

@@ -26,6 +26,10 @@ const Law& closed_neo_hookean();
 /// The hand-written law and every registered material with the parameters of the pantyhose fabric.
 std::vector<Law> laws();
 
+/// The registered elements with 3 and with 5 unknowns a node.
+std::vector<const Element*> membranes();
+std::vector<const Element*> shells();
+
 /// Name of a test over (element, law).
 std::string case_name(const ::testing::TestParamInfo<std::tuple<const Element*, Law>>& info);
 
@@ -36,9 +40,14 @@ struct Arrays {
   std::vector<double> pattern, x, wale_angle;
   std::vector<double> params;  ///< given: one set an element
   double thickness = 0.8;
+  std::vector<double> frames, reference, frozen;  ///< of shells; no reference: flat
+  int layers = 3;
+  double shear_modulus = 0.0;
 
   Batch batch() const;
   int size() const { return static_cast<int>(wale_angle.size()); }
+  /// Element e alone.
+  Arrays single(int e) const;
 };
 
 /// Values of every output of one evaluation.

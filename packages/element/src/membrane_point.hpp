@@ -39,12 +39,28 @@ struct MembranePoint {
   void add_residual(const double (&S)[3], double (&r)[dofs]) const;
   /// K += the Hessian with second derivative D (order as in MaterialV1): blocks (i, j) with j >= i only.
   void add_tangent(const double (&S)[3], const double (&D)[6], double (&K)[dofs][dofs]) const;
-
- private:
-  /// Hessian with respect to (a_1, a_2): B^T D B with the rows (a_1, 0), (0, a_2), (a_2, a_1) of B, and the geometric
-  /// part S_ab times the identity.
-  void hessian(const double (&S)[3], const double (&D)[6], double (&A)[6][6]) const;
 };
+
+/// Hessian of a density W(C) with respect to (a_1, a_2): B^T D B with the rows (a_1, 0), (0, a_2), (a_2, a_1) of B, and
+/// the geometric part S_ab times the identity.
+inline void plane_hessian(const double (&a)[2][3], const double (&S)[3], const double (&D)[6], double (&A)[6][6]) {
+  const auto& [u, v] = a;
+  for (int c = 0; c < 3; ++c) {
+    for (int d = 0; d < 3; ++d) {
+      const double uu = u[c] * u[d], vv = v[c] * v[d], uv = u[c] * v[d], vu = v[c] * u[d];
+      A[c][d] = D[0] * uu + D[4] * (uv + vu) + D[2] * vv;
+      A[c][3 + d] = D[3] * uv + D[4] * uu + D[5] * vv + D[2] * vu;
+      A[3 + d][c] = A[c][3 + d];
+      A[3 + c][3 + d] = D[1] * vv + D[5] * (uv + vu) + D[2] * uu;
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    A[c][c] += S[0];
+    A[c][3 + c] += S[2];
+    A[3 + c][c] += S[2];
+    A[3 + c][3 + c] += S[1];
+  }
+}
 
 template <int Nodes>
 void MembranePoint<Nodes>::set_reference(const double* X, const double (&dN)[Nodes][2], double weight) {
@@ -100,29 +116,9 @@ void MembranePoint<Nodes>::add_residual(const double (&S)[3], double (&r)[dofs])
 }
 
 template <int Nodes>
-void MembranePoint<Nodes>::hessian(const double (&S)[3], const double (&D)[6], double (&A)[6][6]) const {
-  const auto& [u, v] = a;
-  for (int c = 0; c < 3; ++c) {
-    for (int d = 0; d < 3; ++d) {
-      const double uu = u[c] * u[d], vv = v[c] * v[d], uv = u[c] * v[d], vu = v[c] * u[d];
-      A[c][d] = D[0] * uu + D[4] * (uv + vu) + D[2] * vv;
-      A[c][3 + d] = D[3] * uv + D[4] * uu + D[5] * vv + D[2] * vu;
-      A[3 + d][c] = A[c][3 + d];
-      A[3 + c][3 + d] = D[1] * vv + D[5] * (uv + vu) + D[2] * uu;
-    }
-  }
-  for (int c = 0; c < 3; ++c) {
-    A[c][c] += S[0];
-    A[c][3 + c] += S[2];
-    A[3 + c][c] += S[2];
-    A[3 + c][3 + c] += S[1];
-  }
-}
-
-template <int Nodes>
 void MembranePoint<Nodes>::add_tangent(const double (&S)[3], const double (&D)[6], double (&K)[dofs][dofs]) const {
   double A[6][6];
-  hessian(S, D, A);
+  plane_hessian(a, S, D, A);
   for (int i = 0; i < Nodes; ++i) {
     double T[3][6];
     for (int c = 0; c < 3; ++c) {

@@ -2,12 +2,15 @@
 
 #include "membrane3.hpp"
 #include "membrane4.hpp"
+#include "shell3.hpp"
+#include "shell4.hpp"
+#include "shell4r.hpp"
 #include "toile/element/element.hpp"
 
 namespace toile::element {
 
 const std::vector<const Element*>& registry() {
-  static const std::vector<const Element*> elements = {&membrane3(), &membrane4()};
+  static const std::vector<const Element*> elements = {&membrane3(), &membrane4(), &shell3(), &shell4(), &shell4r()};
   return elements;
 }
 
