@@ -12,7 +12,7 @@
 #include "hourglass.hpp"
 #include "layers.hpp"
 #include "principal_stress.hpp"
-#include "response.hpp"
+#include "point_response.hpp"
 #include "shell_point.hpp"
 #include "toile/element/element.hpp"
 
@@ -75,7 +75,7 @@ class Shell final : public Element {
     Layers layers;
     double half_thickness;
     std::array<State, largest_chunk> state;
-    Response response;  ///< [count][Points][layers]
+    PointResponse response;  ///< [count][Points][layers]
 
     int per_element() const { return Points * layers.n; }
     double height(int layer) const { return half_thickness * layers.place[layer]; }
@@ -91,7 +91,7 @@ class Shell final : public Element {
   static std::uint8_t status(const Chunk& chunk, int k);
   void evaluate_element(const Batch& batch, const Chunk& chunk, int k, std::ptrdiff_t e, const Result& result) const;
   static double add_points(const Chunk& chunk, int k, double thickness, bool with_tangent, NodalSystem<Nodes>& system);
-  static void freeze_element(const Chunk& chunk, const Response& natural, int k, double* frozen);
+  static void freeze_element(const Chunk& chunk, const PointResponse& natural, int k, double* frozen);
   /// Fields of the in-plane point k of the chunk: of its middle layer, with the worst status of its layers.
   static void write_point(const Chunk& chunk, int k, std::size_t at, PointFields& out);
   static void set_nan(const Result& result, std::ptrdiff_t e);
@@ -162,7 +162,7 @@ std::uint8_t Shell<Nodes, Edges, Points, ShearPoints, Control>::status(const Chu
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 double Shell<Nodes, Edges, Points, ShearPoints, Control>::add_points(const Chunk& chunk, int k, double thickness,
                                                                      bool with_tangent, NodalSystem<Nodes>& system) {
-  const Response& response = chunk.response;
+  const PointResponse& response = chunk.response;
   double energy = 0.0;
   int at = k * chunk.per_element();
   for (const ShellPoint<Nodes>& point : chunk.state[k].point) {
@@ -245,7 +245,7 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::evaluate(const Batch& ba
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze(const Batch& batch, double* frozen) const {
   const Layers middle = gauss_layers(1);
-  Response natural;
+  PointResponse natural;
   for (int first = 0, count = 0; first < batch.n; first += count) {
     count = std::min(chunk_size(middle), batch.n - first);
     const Chunk& chunk = fill(batch, middle, nullptr, first, count, stabilised);
@@ -262,9 +262,9 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze(const Batch& batc
 
 // An element that the material does not admit keeps the undeformed values; evaluate() names it.
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
-void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze_element(const Chunk& chunk, const Response& natural,
+void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze_element(const Chunk& chunk, const PointResponse& natural,
                                                                        int k, double* frozen) {
-  const Response& response = chunk.response;
+  const PointResponse& response = chunk.response;
   const bool admissible = status(chunk, k) != material::point_not_admissible;
   for (int p = 0; p < Points; ++p) frozen[p] = admissible ? response.thickness_stretch[k * Points + p] : 1.0;
   if constexpr (stabilised) {
@@ -303,7 +303,7 @@ PointFields Shell<Nodes, Edges, Points, ShearPoints, Control>::fields(const Batc
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 void Shell<Nodes, Edges, Points, ShearPoints, Control>::write_point(const Chunk& chunk, int k, std::size_t at,
                                                                     PointFields& out) {
-  const Response& response = chunk.response;
+  const PointResponse& response = chunk.response;
   const int layers = chunk.layers.n, middle = k * layers + layers / 2;
   const auto* states = response.status.data() + k * layers;
   const bool folded = chunk.state[k / Points].folded;

@@ -58,15 +58,36 @@ struct PointMean {
 /// Arrays of one whole block in the layout of element::Batch.
 struct BlockArrays {
   std::vector<double> pattern, x, params;
+  std::vector<double> frames, reference, frozen;  // of shells
   element::Batch batch;
 };
 
-BlockArrays arrays_of(const mesh::Mesh& mesh, const mesh::Block& block, const BlockLaw& law,
-                      const std::vector<Vec3>& position) {
-  BlockArrays a;
+void add_shell(const Problem& problem, const mesh::Block& block, const BlockLaw& law, const State& state,
+               BlockArrays& a) {
   for (const int n : block.connectivity) {
-    a.pattern.insert(a.pattern.end(), {mesh.pattern[n][0], mesh.pattern[n][1]});
-    a.x.insert(a.x.end(), {position[n][0], position[n][1], position[n][2]});
+    a.frames.insert(a.frames.end(), state.frame[n].data(), state.frame[n].data() + 9);
+    if (!law.shell.placed_reference) continue;
+    const Vec3 director = start_frame(problem, n).row(2);
+    for (const Vec3* v : {&problem.mesh->placed[n], &director})
+      a.reference.insert(a.reference.end(), v->data(), v->data() + 3);
+  }
+  a.batch.frames = a.frames.data();
+  a.batch.reference = a.reference.empty() ? nullptr : a.reference.data();
+  a.batch.layers = law.shell.layers;
+  a.batch.shear_modulus = law.shell.shear_modulus;
+  a.frozen.resize(static_cast<size_t>(block.size()) * static_cast<size_t>(law.element->frozen_values()));
+  law.element->freeze(a.batch, a.frozen.data());
+  a.batch.frozen = a.frozen.data();
+}
+
+void fill_arrays(const Problem& problem, size_t b, const State& state, const std::vector<Vec3>& position,
+                 BlockArrays& a) {
+  const mesh::Block& block = problem.mesh->blocks[b];
+  const BlockLaw& law = problem.laws[b];
+  for (const int n : block.connectivity) {
+    a.pattern.insert(a.pattern.end(), {problem.mesh->pattern[n][0], problem.mesh->pattern[n][1]});
+    a.x.insert(a.x.end(), position[n].data(), position[n].data() + 3);
+    if (law.is_shell()) a.x.insert(a.x.end(), {0.0, 0.0});
   }
   a.params = law.material->graduated() ? std::vector<double>() : law.material->params();
   for (int e = 0; e < block.size() && law.material->graduated(); ++e) {
@@ -81,13 +102,14 @@ BlockArrays arrays_of(const mesh::Mesh& mesh, const mesh::Block& block, const Bl
   a.batch.params = a.params.data();
   a.batch.graduated = law.material->graduated();
   a.batch.thickness = law.material->thickness();
-  return a;
+  if (law.is_shell()) add_shell(problem, block, law, state, a);
 }
 
-void add_block(const Problem& problem, size_t b, Fields& out) {
+void add_block(const Problem& problem, size_t b, const State& state, Fields& out) {
   const mesh::Block& block = problem.mesh->blocks[b];
   const BlockLaw& law = problem.laws[b];
-  const BlockArrays arrays = arrays_of(*problem.mesh, block, law, out.position);
+  BlockArrays arrays;
+  fill_arrays(problem, b, state, out.position, arrays);
   std::vector<double> areas(block.connectivity.size());
   law.element->nodal_areas(arrays.batch, areas.data());
   for (size_t i = 0; i < areas.size(); ++i) out.area[block.connectivity[i]] += areas[i];
@@ -148,7 +170,7 @@ Fields compute_fields(const Problem& problem, const State& state) {
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();
   for (size_t c = 0; c < problem.clusters.size(); ++c)
     for (const int n : problem.clusters[c]) out.position[n] = node_position(problem, state, static_cast<int>(c), n);
-  for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, out);
+  for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, state, out);
   if (problem.surface != nullptr) add_contact(problem, state, out);
   return out;
 }

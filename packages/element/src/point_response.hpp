@@ -9,7 +9,7 @@
 namespace toile::element {
 
 /// Material points of a chunk of elements and what the material answers; layouts as in material::MaterialV1.
-struct Response {
+struct PointResponse {
   int n = 0;
   std::vector<double> C, W, S, D, thickness_stretch, params;
   std::vector<std::uint8_t> status;
@@ -30,8 +30,8 @@ struct Response {
   void evaluate(const Batch& batch, int first, int per_element, bool with_tangent) {
     if (batch.graduated) spread_params(batch, first, per_element);
     const double* values = batch.graduated ? params.data() : batch.params;
-    batch.law->evaluate(n, C.data(), values, batch.graduated ? 1 : 0, W.data(), S.data(),
-                        with_tangent ? D.data() : nullptr, thickness_stretch.data(), nullptr, status.data());
+    batch.response->evaluate(n, C.data(), values, batch.graduated ? 1 : 0, W.data(), S.data(),
+                             with_tangent ? D.data() : nullptr, thickness_stretch.data(), status.data());
   }
   /// Scaled entry k of the structure of arrays `values` [Size][n].
   template <int Size>
@@ -41,7 +41,7 @@ struct Response {
 
  private:
   void spread_params(const Batch& batch, int first, int per_element) {
-    const int n_params = batch.law->n_params;
+    const int n_params = batch.response->n_params();
     params.resize(static_cast<std::size_t>(n_params) * n);
     for (int k = 0; k < n; ++k) {
       const double* values = batch.params + static_cast<std::ptrdiff_t>(first + k / per_element) * n_params;
