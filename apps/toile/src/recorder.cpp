@@ -32,6 +32,7 @@ const std::vector<result::FieldName> global_names = {{"load", ""},
                                                      {"undamped_residual", ""},
                                                      {"largest_gap", "mm"},
                                                      {"negative_pivots", ""},
+                                                     {"critical_point", ""},
                                                      {"undamped", ""},
                                                      {"wall_time", "s"}};
 
@@ -47,6 +48,7 @@ std::vector<double> global_values(const solve::StepReport& r) {
           r.undamped_residual,
           r.gap,
           static_cast<double>(r.negative_pivots),
+          static_cast<double>(r.critical),
           r.undamped ? 1.0 : 0.0,
           r.seconds};
 }
@@ -157,6 +159,12 @@ void Recorder::write_restart(const solve::StepReport& report, const solve::State
   for (const solve::Vec3& p : state.position) position.insert(position.end(), p.data(), p.data() + 3);
   data.reals["contact_force"] = state.contact_force;
   data.reals["offset"] = state.offset;
+  if (!state.frame.empty()) {
+    for (const solve::Frame& frame : state.frame)
+      data.reals["director_frame"].insert(data.reals["director_frame"].end(), frame.data(), frame.data() + 9);
+    for (const auto& rotation : state.rotation)
+      data.reals["rotation"].insert(data.reals["rotation"].end(), rotation.begin(), rotation.end());
+  }
   data.reals["seam_load_parameter"] = {state.seam, state.load, report.parameter};
   data.integers["step"] = {report.step};
   data.metadata["stage"] = report.stage;

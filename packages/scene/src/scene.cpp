@@ -19,6 +19,12 @@ std::optional<base::List> optional_list(const base::List& list, const std::strin
   return list.list(name);
 }
 
+solve::ShellSection section(const garment::ShellOptions& shell, const material::Material& fabric) {
+  const double modulus = shell.shear_modulus ? *shell.shear_modulus
+                                             : fabric.response().natural_shear_modulus(fabric.params_at(0.0).data());
+  return {shell.layers, shell.shear_correction * modulus, shell.placed_is_stress_free};
+}
+
 [[noreturn]] void fail_sewing(const base::List& stages) {
   for (const base::List& stage : stages.entries())
     if (stage.word("type") == "sew")
@@ -73,9 +79,14 @@ void Scene::build_laws(const base::List& list) {
     }
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
+    const material::Material& fabric = *materials_.at(garment_.materials[b]);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
-    problem_.laws.push_back(
-        {element::find(quads ? "membrane4" : "membrane3"), materials_.at(garment_.materials[b]).get()});
+    const std::optional<garment::ShellOptions>& shell = garment_.shells[b];
+    const char* name = !shell           ? (quads ? "membrane4" : "membrane3")
+                       : !quads         ? "shell3"
+                       : shell->reduced ? "shell4r"
+                                        : "shell4";
+    problem_.laws.push_back({element::find(name), &fabric, shell ? section(*shell, fabric) : solve::ShellSection()});
   }
 }
 
@@ -86,7 +97,12 @@ void Scene::build_problem(const base::List& list, int ranks) {
   const auto supports = optional_list(list, "Supports");
   if (supports) problem_.supports = solve::read_supports(*supports, garment_.mesh);
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
-  if (const auto loads = optional_list(list, "Loads")) problem_.loads = solve::read_loads(*loads, garment_.mesh);
+  if (const auto loads = optional_list(list, "Loads")) {
+    solve::Loads read = solve::read_loads(*loads, garment_.mesh);
+    problem_.loads = std::move(read.nodal);
+    problem_.pressures = std::move(read.pressures);
+    check_shells_of_moments(*loads);
+  }
   if (const auto contact = optional_list(list, "Contact")) {
     if (surface_ == nullptr)
       throw base::InputError(contact->file() + ": " + contact->path() +
@@ -102,13 +118,32 @@ void Scene::build_problem(const base::List& list, int ranks) {
   }
 }
 
+// Membranes have no directors that a moment or a clamp could turn or hold.
+void Scene::check_shells_of_moments(const base::List& loads) const {
+  const std::vector<bool> shell = solve::shell_nodes(problem_);
+  for (size_t k = 0; k < problem_.loads.size(); ++k) {
+    const solve::NodalLoad& load = problem_.loads[k];
+    if (!load.moment || std::all_of(load.nodes.begin(), load.nodes.end(), [&](int n) { return shell[n]; })) continue;
+    for (const base::List& entry : loads.entries())
+      if (entry.name() == load.name)
+        entry.fail("on", "a moment turns shells only; give the panel a list \"Shell\", or load it by forces");
+  }
+}
+
 void Scene::list_modules(int ranks) {
   const auto sort = [&](bool is_used, const std::string& name) { (is_used ? used_ : left_out_).push_back(name); };
   sort(surface_ != nullptr, "body and contact");
   sort(!garment_.seams.empty(), "seams");
   sort(sews_, "sewing by continuation");
   sort(damps_, "damping");
-  sort(!problem_.loads.empty(), "edge loads");
+  const bool bends =
+      std::any_of(problem_.laws.begin(), problem_.laws.end(), [](const auto& law) { return law.is_shell(); });
+  sort(bends, "shells");
+  sort(!problem_.loads.empty(), "dead loads");
+  sort(!problem_.pressures.empty(), "follower pressure");
+  const auto wants = [&](const auto& option) { return std::any_of(stages_.begin(), stages_.end(), option); };
+  sort(wants([](const auto& stage) { return stage.stability_every_step; }), "stability at every step");
+  sort(wants([](const auto& stage) { return stage.arc_length; }), "arc length continuation");
   const bool graduated =
       std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.second->graduated(); });
   sort(graduated, "graduated fabric");

@@ -1,6 +1,9 @@
 #include "toile/solve/spec.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "toile/mesh/find_nodes.hpp"
 
 namespace toile::solve {
 
@@ -37,21 +40,10 @@ Spec damping_spec() {
             0.05, Range::positive());
 }
 
-/// Nodes of an edge "panel.side" or of a whole panel.
 std::vector<int> nodes_of(const List& list, const mesh::Mesh& mesh, const std::string& name) {
-  const auto edge = mesh.edges.find(name);
-  if (edge != mesh.edges.end()) return edge->second;
-  base::Texts valid;
-  for (const mesh::Block& block : mesh.blocks) {
-    valid.push_back(block.name);
-    if (block.name != name) continue;
-    std::vector<int> nodes = block.connectivity;
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
-  }
-  for (const auto& [key, value] : mesh.edges) valid.push_back(key);
-  list.fail("on", "no edge or panel is named \"" + name + "\"" + base::hint(name, valid));
+  mesh::FoundNodes found = mesh::find_nodes(mesh, name);
+  if (!found.problem.empty()) list.fail("on", found.problem);
+  return std::move(found.nodes);
 }
 
 Vec3 vector_of(const List& list, const std::string& name) {

@@ -78,6 +78,7 @@ class Scene {
  private:
   void build_laws(const base::List& list);
   void build_problem(const base::List& list, int ranks);
+  void check_shells_of_moments(const base::List& loads) const;
   void list_modules(int ranks);
 
   std::string title_;
