@@ -51,6 +51,18 @@ TEST(Garment, SleeveIsComplete) {
   }
 }
 
+// Each panel is a shell or a membrane of its own.
+TEST(Garment, ShellsByPanel) {
+  Teuchos::ParameterList panels;
+  add_rectangle(panels, "band", 150.0, 20.0, 6, 2).sublist("Shell").set("layers", 7);
+  add_rectangle(panels, "strip", 150.0, 50.0, 6, 2);
+  const Garment garment = build_garment(base::validate(panels, panels_spec(), "scene.xml"), nullptr, nullptr);
+  ASSERT_EQ(garment.shells.size(), 2u);
+  ASSERT_TRUE(garment.shells[0]);
+  EXPECT_EQ(garment.shells[0]->layers, 7);
+  EXPECT_FALSE(garment.shells[1]);
+}
+
 // Without seams every node is a cluster of its own.
 TEST(Garment, WithoutSeamsNodesAreAlone) {
   Teuchos::ParameterList panels;

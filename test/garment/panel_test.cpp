@@ -157,5 +157,110 @@ TEST(Panel, BadProfileIsRefused) {
               HasSubstr("must increase strictly, but value number 3 does not"));
 }
 
+// A sector has its outer arc as bottom and its sides at the two angles; a full turn is allowed.
+TEST(Panel, Sector) {
+  Teuchos::ParameterList panels;
+  Teuchos::ParameterList& entry = test::add_sector(panels, 120.0, 6, 4);
+  entry.set("from angle", 30.0);
+  const mesh::Grid grid = build(panels).grid;
+  EXPECT_NEAR((grid.nodes[grid.node(4, 0)] - 10.0 * mesh::Vec2(0.0, 1.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((grid.nodes[grid.node(4, 4)] - 6.0 * mesh::Vec2(0.0, 1.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((grid.nodes[grid.node(0, 1)] - 9.0 * mesh::Vec2(std::cos(M_PI / 6), 0.5)).norm(), 0.0, 1e-12);
+  entry.set("to angle", 390.0);
+  const mesh::Grid ring = build(panels).grid;
+  EXPECT_NEAR((ring.nodes[ring.node(6, 2)] - ring.nodes[ring.node(0, 2)]).norm(), 0.0, 1e-12);
+}
+
+// A sector needs radii and angles that increase, and at most one turn.
+TEST(Panel, BadSectorIsRefused) {
+  const auto message = [](const std::string& name, double value) {
+    Teuchos::ParameterList panels;
+    test::add_sector(panels, 90.0, 6, 4).set(name, value);
+    return input_error([&panels] { build(panels); });
+  };
+  EXPECT_THAT(message("inner radius", 10.0),
+              HasSubstr("parameter \"inner radius\" = 10: must be smaller than \"outer radius\""));
+  EXPECT_THAT(message("inner radius", 0.0),
+              HasSubstr("parameter \"inner radius\" is out of range: 0 mm, allowed: > 0"));
+  for (const double angle : {0.0, -20.0, 361.0}) {
+    EXPECT_THAT(message("to angle", angle),
+                HasSubstr("must lie beyond \"from angle\" by more than 0 and at most 360 degrees"));
+  }
+}
+
+// A disc has its rim on all sides, a quarter disc on its right and top.
+TEST(Panel, Discs) {
+  Teuchos::ParameterList panels;
+  Teuchos::ParameterList& entry = test::add_panel(panels, "drum", "disc", 4, 4);
+  entry.set("radius", 20.0);
+  const mesh::Grid whole = build(panels).grid;
+  for (const int id : whole.column(0)) EXPECT_NEAR(whole.nodes[id].norm(), 20.0, 1e-12);
+  EXPECT_NEAR((whole.nodes[whole.node(2, 0)] - mesh::Vec2(0.0, -20.0)).norm(), 0.0, 1e-12);
+  entry.set("shape", std::string("quarter disc"));
+  const mesh::Grid quarter = build(panels).grid;
+  EXPECT_NEAR(quarter.nodes[0].norm(), 0.0, 1e-12);
+  EXPECT_NEAR((quarter.nodes[quarter.node(4, 0)] - mesh::Vec2(20.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((quarter.nodes[quarter.node(0, 4)] - mesh::Vec2(0.0, 20.0)).norm(), 0.0, 1e-12);
+}
+
+// Without a list "Shell" a panel is a membrane; with an empty one it is a shell with the defaults.
+TEST(Panel, ShellHasDefaults) {
+  Teuchos::ParameterList panels;
+  Teuchos::ParameterList& entry = test::add_rectangle(panels, "front", 30.0, 20.0, 3, 2);
+  EXPECT_FALSE(build(panels).shell);
+  entry.sublist("Shell");
+  const auto shell = build(panels).shell;
+  ASSERT_TRUE(shell);
+  EXPECT_FALSE(shell->reduced);
+  EXPECT_EQ(shell->layers, 3);
+  EXPECT_FALSE(shell->shear_modulus);
+  EXPECT_DOUBLE_EQ(shell->shear_correction, 5.0 / 6.0);
+  EXPECT_FALSE(shell->placed_is_stress_free);
+}
+
+// Every option of a shell is read.
+TEST(Panel, ShellIsRead) {
+  Teuchos::ParameterList panels;
+  Teuchos::ParameterList& list = test::add_rectangle(panels, "front", 30.0, 20.0, 3, 2).sublist("Shell");
+  list.set("integration", std::string("reduced"));
+  list.set("layers", 5);
+  list.set("shear modulus", 0.2);
+  list.set("shear correction", 1.0);
+  list.set("stress-free", std::string("placed"));
+  const auto shell = build(panels).shell;
+  ASSERT_TRUE(shell);
+  EXPECT_TRUE(shell->reduced);
+  EXPECT_EQ(shell->layers, 5);
+  EXPECT_DOUBLE_EQ(shell->shear_modulus.value_or(0.0), 0.2);
+  EXPECT_DOUBLE_EQ(shell->shear_correction, 1.0);
+  EXPECT_TRUE(shell->placed_is_stress_free);
+}
+
+// A shell has an odd number of layers up to 7, positive shear stiffness, and no reduced triangles.
+TEST(Panel, BadShellIsRefused) {
+  const auto message = [](const auto& spoil) {
+    Teuchos::ParameterList panels;
+    spoil(test::add_rectangle(panels, "front", 30.0, 20.0, 3, 2));
+    return input_error([&panels] { build(panels); });
+  };
+  using List = Teuchos::ParameterList;
+  for (const int layers : {2, 4, 9}) {
+    EXPECT_THAT(message([layers](List& panel) { panel.sublist("Shell").set("layers", layers); }),
+                HasSubstr("scene.xml: Panels > front > Shell: parameter \"layers\" = " + std::to_string(layers) +
+                          ": allowed are 1, 3, 5 and 7"));
+  }
+  EXPECT_THAT(message([](List& panel) { panel.sublist("Shell").set("shear modulus", 0.0); }),
+              HasSubstr("parameter \"shear modulus\" is out of range: 0 MPa, allowed: > 0"));
+  EXPECT_THAT(message([](List& panel) { panel.sublist("Shell").set("shear correction", 1.2); }),
+              HasSubstr("parameter \"shear correction\" is out of range: 1.2"));
+  EXPECT_THAT(message([](List& panel) { panel.sublist("Shell").set("integration", std::string("reducd")); }),
+              HasSubstr("did you mean \"reduced\"?"));
+  EXPECT_THAT(message([](List& panel) {
+                panel.set("elements", std::string("triangle"));
+                panel.sublist("Shell").set("integration", std::string("reduced"));
+              }),
+              HasSubstr("the panel has triangles, which have one rule only"));
+}
+
 }  // namespace
 }  // namespace toile::garment

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "lists.hpp"
@@ -158,6 +159,68 @@ TEST(Placement, FreeWrapLiesOnCone) {
   const Vec3 left = mesh.placed[mesh.edges.at("front.left")[3]], right = mesh.placed[mesh.edges.at("front.right")[3]];
   EXPECT_NEAR((left - right).norm(), 0.0, 1e-9);
   EXPECT_NEAR(left.x(), -std::hypot(left.x(), left.y()), 1e-9);
+}
+
+// A free wrap rolls a rectangle without strain: a quarter of a cylinder and a shallow roof have every node at its arc
+// length round the axis and its height, exactly.
+TEST(Placement, FreeWrapRollsWithoutStrain) {
+  for (const auto& [radius, half_angle, height] :
+       {std::array{100.0, M_PI / 4, 100.0}, std::array{2540.0, 0.1, 508.0}}) {
+    Teuchos::ParameterList panels = wrapped("free wrap", 2.0 * radius * half_angle, height, 8, 4);
+    placement_of(panels).set("around", reals({radius, radius}));
+    const mesh::Mesh mesh = build(panels);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const double angle = mesh.pattern[node].x() / radius - half_angle;
+      const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
+      const Vec3 wanted = radius * outwards + Vec3(0.0, 0.0, 100.0 + mesh.pattern[node].y());
+      EXPECT_NEAR((mesh.placed[node] - wanted).norm(), 0.0, 1e-12 * radius);
+      EXPECT_NEAR((mesh.normal[node] - outwards).norm(), 0.0, 1e-12);
+    }
+  }
+}
+
+Teuchos::ParameterList hemisphere(double width, double height) {
+  Teuchos::ParameterList panels;
+  Teuchos::ParameterList& placement = test::add_rectangle(panels, "front", width, height, 8, 6).sublist("Placement");
+  placement.set("type", std::string("sphere"));
+  placement.set("radius", 10.0);
+  return panels;
+}
+
+// On a sphere the pattern's coordinates are arc lengths along equator and meridian, and normals point outwards.
+TEST(Placement, SphereByLongitudeAndLatitude) {
+  const mesh::Mesh mesh = build(hemisphere(5.0 * M_PI, 4.0 * M_PI));
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const double longitude = mesh.pattern[node].x() / 10.0, latitude = mesh.pattern[node].y() / 10.0;
+    const Vec3 outwards(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                        std::sin(latitude));
+    EXPECT_NEAR((mesh.placed[node] - 10.0 * outwards).norm(), 0.0, 1e-13);
+    EXPECT_NEAR((mesh.normal[node] - outwards).norm(), 0.0, 1e-14);
+  }
+  // The hole of 18 degrees round the pole.
+  EXPECT_NEAR(mesh.placed.back().z(), 10.0 * std::cos(M_PI / 10), 1e-13);
+}
+
+// Centre, polar axis and zero direction move and turn the sphere.
+TEST(Placement, SphereIsMovedAndTurned) {
+  Teuchos::ParameterList panels = hemisphere(5.0 * M_PI, 4.0 * M_PI);
+  placement_of(panels).set("centre", reals({1.0, 2.0, 3.0}));
+  placement_of(panels).set("polar axis", reals({2.0, 0.0, 0.0}));
+  placement_of(panels).set("zero direction", reals({1.0, 1.0, 0.0}));
+  const mesh::Mesh mesh = build(panels);
+  EXPECT_NEAR((mesh.placed[mesh.edges.at("front.bottom").front()] - Vec3(1.0, 12.0, 3.0)).norm(), 0.0, 1e-13);
+  EXPECT_NEAR((mesh.placed[mesh.edges.at("front.bottom").back()] - Vec3(1.0, 2.0, 13.0)).norm(), 0.0, 1e-13);
+}
+
+// A pattern that reaches the pole or overlaps itself is refused, and a zero direction along the axis.
+TEST(Placement, BadSpheresAreRefused) {
+  EXPECT_THAT(input_error([] { build(hemisphere(10.0, 5.0 * M_PI)); }),
+              HasSubstr("the pattern reaches the latitude 90 degrees; it must end before the pole at 90 degrees"));
+  EXPECT_THAT(input_error([] { build(hemisphere(22.0 * M_PI, 10.0)); }),
+              HasSubstr("the pattern is 396 degrees long round the equator; it must not overlap itself"));
+  Teuchos::ParameterList panels = hemisphere(10.0, 10.0);
+  placement_of(panels).set("polar axis", reals({1.0, 0.0, 0.0}));
+  EXPECT_THAT(input_error([&panels] { build(panels); }), HasSubstr("must not be parallel to the axis"));
 }
 
 // Each mistake in a wrapped placement has its message.

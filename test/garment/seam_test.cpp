@@ -137,6 +137,29 @@ TEST(Seam, UnknownEdgeIsRefused) {
                         "back.left, back.right, back.top, front.bottom, front.left, front.right, front.top"));
 }
 
+// A ring that goes all the way round is closed by one seam whose partners lie on each other from the start.
+TEST(Seam, FullSectorClosesToARing) {
+  Teuchos::ParameterList panels, seams;
+  test::add_sector(panels, 360.0, 12, 4);
+  add_seam(seams, "slit", "ring.left", "ring.right");
+  const Garment garment = build(panels, seams);
+  EXPECT_THAT(garment.seams[0].pairs, ElementsAre(Pair(0, 12), Pair(13, 25), Pair(26, 38), Pair(39, 51), Pair(52, 64)));
+  for (const auto& [a, b] : garment.seams[0].pairs) {
+    EXPECT_NEAR((garment.mesh.placed[a] - garment.mesh.placed[b]).norm(), 0.0, 1e-13);
+  }
+}
+
+// Corners and other single nodes have names, but cannot be sewn.
+TEST(Seam, SingleNodesAreRefused) {
+  for (const char* name : {"front.top-left", "front.right@0.5", "front@0.5,0.5"}) {
+    Teuchos::ParameterList seams;
+    add_seam(seams, "side", name, "back.left");
+    EXPECT_THAT(input_error([&seams] { build(two_panels(), seams); }),
+                ::testing::AllOf(HasSubstr("a seam joins edges, and this is a single node"), HasSubstr(name),
+                                 HasSubstr("Valid here: back.bottom, back.left, back.right")));
+  }
+}
+
 // An edge cannot be sewn to itself.
 TEST(Seam, EdgeWithItselfIsRefused) {
   Teuchos::ParameterList seams;

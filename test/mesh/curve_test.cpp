@@ -48,6 +48,17 @@ TEST(Curve, SmoothCurveConvergesToCircle) {
   EXPECT_GT(std::log2(coarse / fine), 1.9);
 }
 
+// A circular arc is exact at any number of points, in either direction, and closes after a full turn.
+TEST(Curve, CircularArcIsExact) {
+  const Curve back = Curve::circular({1.0, 2.0}, 50.0, M_PI / 2, M_PI / 6);
+  EXPECT_NEAR(back.length(), 50.0 * M_PI / 3, 1e-12);
+  EXPECT_NEAR((back.front() - Vec2(1.0, 52.0)).norm(), 0.0, 1e-13);
+  EXPECT_NEAR((back.at(0.5) - Vec2(26.0, 2.0 + 25.0 * std::sqrt(3.0))).norm(), 0.0, 1e-13);
+  EXPECT_EQ(back.at(1.0), back.back());
+  const Curve turn = Curve::circular({0.0, 0.0}, 50.0, 0.0, 2.0 * M_PI);
+  EXPECT_NEAR((turn.front() - turn.back()).norm(), 0.0, 1e-13);
+}
+
 // Equal steps of the parameter are equal steps of arc length on a curve with uneven points.
 TEST(Curve, ParameterIsArcLength) {
   const Curve curve({{0.0, 0.0}, {5.0, 8.0}, {40.0, 0.0}, {60.0, 30.0}}, Interpolation::smooth);

@@ -101,6 +101,67 @@ TEST(FourSided, TrianglesAlternate) {
   EXPECT_EQ(valence[grid.node(2, 1)], 4);
 }
 
+// A sector is a polar grid: rows on circles, from the outer to the inner radius, columns on rays, whatever its angle.
+TEST(FourSided, SectorIsPolar) {
+  for (const double turn : {0.5, 2.0, 2.0 * M_PI}) {
+    const Grid grid = mesh_four_sided("ring", sector(6.0, 10.0, 0.3, 0.3 + turn), options(12, 4));
+    for (int j = 0; j <= 4; ++j) {
+      for (int i = 0; i <= 12; ++i) {
+        const double angle = 0.3 + turn * i / 12.0;
+        const Vec2 wanted = (10.0 - j) * Vec2(std::cos(angle), std::sin(angle));
+        EXPECT_NEAR((grid.nodes[grid.node(i, j)] - wanted).norm(), 0.0, 1e-13);
+      }
+    }
+    EXPECT_GT(area(grid), 0.0);
+  }
+}
+
+/// Least Jacobian at the 2 x 2 Gauss points over the mean of its element.
+double worst_jacobian(const Grid& grid) {
+  double worst = 1.0;
+  for (std::size_t e = 0; e < grid.connectivity.size(); e += 4) {
+    const auto at = [&grid, e](int k) { return grid.nodes[grid.connectivity[e + k]]; };
+    const auto jacobian = [&at](double p, double q) {
+      const Vec2 x = 0.25 * ((1.0 - q) * (at(1) - at(0)) + (1.0 + q) * (at(2) - at(3)));
+      const Vec2 y = 0.25 * ((1.0 - p) * (at(3) - at(0)) + (1.0 + p) * (at(2) - at(1)));
+      return x.x() * y.y() - x.y() * y.x();
+    };
+    for (const double p : {-1.0, 1.0}) {
+      for (const double q : {-1.0, 1.0}) {
+        worst = std::min(worst, jacobian(p / std::sqrt(3.0), q / std::sqrt(3.0)) / jacobian(0.0, 0.0));
+      }
+    }
+  }
+  return worst;
+}
+
+// The corners of a disc, whose sides are one smooth line there, do not degenerate as the mesh is refined; the rim is
+// exact and the area converges with second order.
+TEST(FourSided, DiscsStayAdmissible) {
+  for (const bool whole : {true, false}) {
+    std::vector<double> errors;
+    for (const int n : {8, 16, 32}) {
+      const Grid grid = mesh_four_sided("disc", whole ? disc(50.0) : quarter_disc(50.0), options(n, n));
+      EXPECT_GT(worst_jacobian(grid), 0.64);
+      for (const int id : grid.row(n)) EXPECT_NEAR(grid.nodes[id].norm(), 50.0, 1e-12);
+      for (const int id : grid.column(n)) EXPECT_NEAR(grid.nodes[id].norm(), 50.0, 1e-12);
+      errors.push_back(M_PI * 2500.0 * (whole ? 1.0 : 0.25) - area(grid));
+    }
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.95);
+    EXPECT_GT(std::log2(errors[1] / errors[2]), 1.95);
+  }
+}
+
+// The straight sides of a quarter disc lie on the axes, so that symmetry can be held there; a whole disc has a node in
+// its centre if its numbers of elements are even.
+TEST(FourSided, DiscsLieOnTheAxes) {
+  const Grid quarter = mesh_four_sided("disc", quarter_disc(50.0), options(6, 6));
+  for (const int id : quarter.row(0)) EXPECT_NEAR(quarter.nodes[id].y(), 0.0, 1e-13);
+  for (const int id : quarter.column(0)) EXPECT_NEAR(quarter.nodes[id].x(), 0.0, 1e-13);
+  const Grid whole = mesh_four_sided("disc", disc(50.0), options(6, 4));
+  EXPECT_NEAR(whole.nodes[whole.node(3, 2)].norm(), 0.0, 1e-12);
+}
+
 // Grading moves the nodes towards both ends by the stated power law and stays symmetric.
 TEST(FourSided, GradingIsSymmetricPowerLaw) {
   EXPECT_DOUBLE_EQ(graded(0.25, 2.0), 0.125);
@@ -153,7 +214,8 @@ TEST(FourSided, OpenCornerIsNamed) {
 TEST(FourSided, PanelsAreAddedOneAfterAnother) {
   Mesh mesh;
   const Grid grid = mesh_four_sided("front", rectangle(20.0, 40.0), options(2, 4));
-  const std::vector<Vec3> placed(grid.nodes.size(), Vec3(1.0, 2.0, 3.0));
+  const Placed placed{std::vector<Vec3>(grid.nodes.size(), Vec3(1.0, 2.0, 3.0)),
+                      std::vector<Vec3>(grid.nodes.size(), Vec3::UnitZ())};
   add_panel(mesh, "front", "knit", grid, placed, M_PI / 2);
   add_panel(mesh, "back", "knit", grid, placed, 0.0);
   EXPECT_EQ(mesh.nodes(), 30);
@@ -163,6 +225,8 @@ TEST(FourSided, PanelsAreAddedOneAfterAnother) {
   EXPECT_THAT(mesh.edges.at("back.left"), ::testing::ElementsAre(15, 18, 21, 24, 27));
   EXPECT_THAT(mesh.edges.at("back.top"), ::testing::ElementsAre(27, 28, 29));
   EXPECT_EQ(mesh.blocks[1].connectivity[0], 15);
+  EXPECT_THAT(mesh.placed, ::testing::AllOf(::testing::SizeIs(30), ::testing::Each(Vec3(1.0, 2.0, 3.0))));
+  EXPECT_THAT(mesh.normal, ::testing::AllOf(::testing::SizeIs(30), ::testing::Each(Vec3(0.0, 0.0, 1.0))));
   EXPECT_DOUBLE_EQ(mesh.blocks[0].position[0], 0.125);
   EXPECT_DOUBLE_EQ(mesh.blocks[0].position[7], 0.875);
   EXPECT_DOUBLE_EQ(mesh.blocks[0].wale_angle[3], M_PI / 2);

@@ -23,7 +23,8 @@ Mesh two_panels(bool triangles = false) {
   Mesh mesh;
   for (const char* name : {"front", "back"}) {
     const Grid grid = mesh_four_sided(name, rectangle(80.0, 300.0), options);
-    add_panel(mesh, name, "knit", grid, std::vector<Vec3>(grid.nodes.size(), Vec3::Zero()), 0.0);
+    const std::vector<Vec3> anywhere(grid.nodes.size(), Vec3::Zero());
+    add_panel(mesh, name, "knit", grid, {anywhere, anywhere}, 0.0);
   }
   return mesh;
 }
@@ -122,7 +123,8 @@ TEST(Partition, OneRankOwnsAll) {
 TEST(Partition, TooManyRanksAreRefused) {
   Mesh mesh;
   const Grid grid = mesh_four_sided("patch", rectangle(1.0, 1.0), {});
-  add_panel(mesh, "patch", "knit", grid, std::vector<Vec3>(4, Vec3::Zero()), 0.0);
+  const std::vector<Vec3> anywhere(4, Vec3::Zero());
+  add_panel(mesh, "patch", "knit", grid, {anywhere, anywhere}, 0.0);
   try {
     partition(mesh, {0, 1, 2, 3}, 2);
     FAIL() << "no error";

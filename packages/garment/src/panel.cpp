@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "imperfection.hpp"
 #include "placement.hpp"
 #include "shape.hpp"
 #include "toile/base/error.hpp"
@@ -26,18 +27,13 @@ base::Spec panel_spec() {
             "1: uniform.",
             1.0, base::Range::at_least(1.0))
       .real("grading along", "", "The same towards the bottom and the top.", 1.0, base::Range::at_least(1.0))
-      .list(placement_spec());
+      .list(placement_spec())
+      .list(imperfection_spec())
+      .list(shell_spec());
   std::vector<base::Spec> variants;
   for (const Shape& shape : shapes()) variants.push_back(shape.spec);
   spec.variant("shape", "How the outline is described.", variants);
   return spec;
-}
-
-mesh::FourSides read_sides(const base::List& entry) {
-  const std::string& wanted = entry.word("shape");
-  const auto& all = shapes();
-  return std::find_if(all.begin(), all.end(), [&wanted](const Shape& s) { return s.spec.name() == wanted; })
-      ->sides(entry);
 }
 
 void check_outline(const base::List& entry, const mesh::FourSides& sides) {
@@ -60,6 +56,16 @@ void check_outline(const base::List& entry, const mesh::FourSides& sides) {
   }
 }
 
+mesh::FourSides read_sides(const base::List& entry) {
+  const std::string& wanted = entry.word("shape");
+  const auto& all = shapes();
+  const auto shape =
+      std::find_if(all.begin(), all.end(), [&wanted](const Shape& s) { return s.spec.name() == wanted; });
+  mesh::FourSides sides = shape->sides(entry);
+  if (shape->drawn) check_outline(entry, sides);
+  return sides;
+}
+
 }  // namespace
 
 base::Spec panels_spec() {
@@ -70,14 +76,13 @@ base::Spec panels_spec() {
 
 Panel build_panel(const base::List& entry) {
   const mesh::FourSides sides = read_sides(entry);
-  check_outline(entry, sides);
   mesh::GridOptions options;
   options.across = entry.integer("elements across");
   options.along = entry.integer("elements along");
   options.triangles = entry.word("elements") == "triangle";
   options.grading_across = entry.real("grading across");
   options.grading_along = entry.real("grading along");
-  Panel panel{entry.name(), entry.word("material"), entry.real("wale angle") * M_PI / 180.0, {}};
+  Panel panel{entry.name(), entry.word("material"), entry.real("wale angle") * M_PI / 180.0, {}, read_shell(entry)};
   try {
     panel.grid = mesh::mesh_four_sided(entry.name(), sides, options);
   } catch (const base::InputError& error) {

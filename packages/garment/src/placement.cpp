@@ -1,5 +1,6 @@
 #include "placement.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +12,10 @@ namespace {
 using mesh::Vec2;
 using mesh::Vec3;
 
-std::vector<Vec3> lay_flat(const mesh::Grid& grid, const Vec3& origin, const Vec3& x, const Vec3& y) {
-  std::vector<Vec3> placed;
-  for (const Vec2& node : grid.nodes) placed.push_back(origin + node.x() * x + node.y() * y);
+mesh::Placed lay_flat(const mesh::Grid& grid, const Vec3& origin, const Vec3& x, const Vec3& y) {
+  mesh::Placed placed;
+  for (const Vec2& node : grid.nodes) placed.position.push_back(origin + node.x() * x + node.y() * y);
+  placed.normal.assign(grid.nodes.size(), x.cross(y).normalized());
   return placed;
 }
 
@@ -25,7 +27,7 @@ base::Spec flat_spec() {
              base::Reals{0.0, 1.0, 0.0});
 }
 
-std::vector<Vec3> place_flat(const base::List& placement, const mesh::Grid& grid, const body::Surface*) {
+mesh::Placed place_flat(const base::List& placement, const mesh::Grid& grid, const body::Surface*) {
   const Vec3 x = read_direction(placement, "x direction");
   const Vec3 y = read_direction(placement, "y direction");
   if (std::abs(x.dot(y)) > 1e-6) placement.fail("y direction", "must be perpendicular to \"x direction\"");
@@ -48,8 +50,16 @@ Vec3 read_direction(const base::List& list, const std::string& name) {
   return direction.normalized();
 }
 
+Vec3 read_perpendicular(const base::List& list, const std::string& name, const Vec3& axis) {
+  const Vec3 wanted = read_direction(list, name);
+  const Vec3 part = wanted - wanted.dot(axis) * axis;
+  if (part.norm() <= 1e-6) list.fail(name, "must not be parallel to the axis");
+  return part.normalized();
+}
+
 const std::vector<Placement>& placements() {
-  static const std::vector<Placement> all{{flat_spec(), place_flat}, wrap_placement(), free_wrap_placement()};
+  static const std::vector<Placement> all{
+      {flat_spec(), place_flat}, wrap_placement(), free_wrap_placement(), sphere_placement()};
   return all;
 }
 
@@ -63,7 +73,7 @@ base::Spec placement_spec() {
   return spec;
 }
 
-std::vector<Vec3> place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body) {
+mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body) {
   if (!panel.has_list("Placement")) return lay_flat(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
   const base::List list = panel.list("Placement");
   const std::string& type = list.word("type");

@@ -8,11 +8,12 @@
 
 namespace toile::garment {
 
-/// One way of placing a panel in space: its parameters, and the positions (mm) that it gives to the nodes of a grid.
+/// One way of placing a panel in space: its parameters, and the positions and normals that it gives to the nodes of a
+/// grid. Normals are those of the surface that the panel is placed on, exact for all but imported bodies.
 /// Throws InputError through `placement.fail`. `body` is null if the scene has none.
 struct Placement {
   base::Spec spec;
-  std::vector<mesh::Vec3> (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
+  mesh::Placed (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
 };
 
 /// All placements; a new one is a source of its own and a line here.
@@ -20,11 +21,12 @@ const std::vector<Placement>& placements();
 
 Placement wrap_placement();       ///< round the body
 Placement free_wrap_placement();  ///< round a cylinder or cone, without a body
+Placement sphere_placement();     ///< onto a sphere
 
 /// Description of the list "Placement" of a panel.
 base::Spec placement_spec();
 
-/// Start in space of the nodes of a panel, mm. Without a list "Placement" the panel lies in the x-y plane of space.
-std::vector<mesh::Vec3> place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body);
+/// Start in space of the nodes of a panel. Without a list "Placement" the panel lies in the x-y plane of space.
+mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body);
 
 }  // namespace toile::garment

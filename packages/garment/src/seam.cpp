@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "toile/mesh/find_nodes.hpp"
+
 namespace toile::garment {
 namespace {
 
@@ -21,24 +23,25 @@ struct Edge {
   }
 };
 
+[[noreturn]] void fail_edge(const base::List& entry, const std::string& parameter, const mesh::Mesh& mesh) {
+  const std::string& name = entry.word(parameter);
+  base::Texts valid;
+  for (const auto& [edge, nodes] : mesh.edges) valid.push_back(edge);
+  const std::string nearest = base::nearest_name(name, valid);
+  std::string problem = "there is no edge \"" + name + "\"";
+  if (mesh::find_nodes(mesh, name).nodes.size() == 1) problem = "a seam joins edges, and this is a single node";
+  problem += nearest.empty() ? "." : "; did you mean \"" + nearest + "\"?";
+  problem += " Valid here:";
+  for (const std::string& edge : valid) problem += (&edge == &valid.front() ? " " : ", ") + edge;
+  entry.fail(parameter, problem);
+}
+
 Edge read_edge(const base::List& entry, const std::string& parameter, const mesh::Mesh& mesh, bool backwards) {
-  Edge edge{entry.word(parameter), {}, {0.0}};
-  const auto found = mesh.edges.find(edge.name);
-  if (found == mesh.edges.end()) {
-    base::Texts valid;
-    for (const auto& [name, nodes] : mesh.edges) valid.push_back(name);
-    const std::string nearest = base::nearest_name(edge.name, valid);
-    std::string problem = "there is no edge \"" + edge.name + "\"";
-    problem += nearest.empty() ? "." : "; did you mean \"" + nearest + "\"?";
-    problem += " Valid here:";
-    for (const std::string& name : valid) problem += (&name == &valid.front() ? " " : ", ") + name;
-    entry.fail(parameter, problem);
-  }
-  edge.nodes = found->second;
+  const auto found = mesh.edges.find(entry.word(parameter));
+  if (found == mesh.edges.end()) fail_edge(entry, parameter, mesh);
+  Edge edge{found->first, found->second, {}};
   if (backwards) std::reverse(edge.nodes.begin(), edge.nodes.end());
-  for (std::size_t k = 1; k < edge.nodes.size(); ++k) {
-    edge.arc.push_back(edge.arc.back() + (mesh.pattern[edge.nodes[k]] - mesh.pattern[edge.nodes[k - 1]]).norm());
-  }
+  edge.arc = mesh::arc_lengths(mesh, edge.nodes);
   return edge;
 }
 

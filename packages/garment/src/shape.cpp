@@ -1,5 +1,6 @@
 #include "shape.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace toile::garment {
@@ -81,11 +82,58 @@ FourSides profile_sides(const base::List& panel) {
           Curve({left.back(), right.back()}, Interpolation::polyline), Curve(left, Interpolation::smooth, levels)};
 }
 
+base::Spec sector_spec() {
+  return base::Spec("sector",
+                    "Part of a ring round the origin of the pattern, up to the whole ring. Its bottom is the outer arc "
+                    "and its top the inner one, both run from 'from angle' to 'to angle'; its left side lies at 'from "
+                    "angle', its right side at 'to angle', and both run inwards. After a full turn left and right lie "
+                    "on each other, open unless a seam joins them.")
+      .real("inner radius", "mm", "Radius of the top.", base::required, base::Range::positive())
+      .real("outer radius", "mm", "Radius of the bottom, greater than the inner one.", base::required,
+            base::Range::positive())
+      .real("from angle", "deg", "Where the left side lies, counter-clockwise from the pattern's x axis.", 0.0)
+      .real("to angle", "deg", "Where the right side lies: beyond 'from angle' by at most 360.");
+}
+
+FourSides sector_sides(const base::List& panel) {
+  const double inner = panel.real("inner radius"), outer = panel.real("outer radius");
+  if (inner >= outer) panel.fail("inner radius", "must be smaller than \"outer radius\"");
+  const double from = panel.real("from angle"), to = panel.real("to angle");
+  if (to <= from || to > from + 360.0) {
+    panel.fail("to angle", "must lie beyond \"from angle\" by more than 0 and at most 360 degrees");
+  }
+  return mesh::sector(inner, outer, from * M_PI / 180.0, to * M_PI / 180.0);
+}
+
+base::Spec disc_spec() {
+  return base::Spec("disc",
+                    "Disc round the origin of the pattern, whose four sides are the quarters of its rim between the "
+                    "diagonals. With even numbers of elements a node lies in the centre.")
+      .real("radius", "mm", "Radius of the disc.", base::required, base::Range::positive());
+}
+
+FourSides disc_sides(const base::List& panel) {
+  return mesh::disc(panel.real("radius"));
+}
+
+base::Spec quarter_disc_spec() {
+  return base::Spec("quarter disc",
+                    "Quarter of a disc round the origin of the pattern, for models with two planes of symmetry: its "
+                    "bottom and left sides lie on the x and y axes, its right and top sides are the halves of the rim.")
+      .real("radius", "mm", "Radius of the disc.", base::required, base::Range::positive());
+}
+
+FourSides quarter_disc_sides(const base::List& panel) {
+  return mesh::quarter_disc(panel.real("radius"));
+}
+
 }  // namespace
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all{
-      {rectangle_spec(), rectangle_sides}, {four_sided_spec(), four_sided_sides}, {profile_spec(), profile_sides}};
+      {rectangle_spec(), rectangle_sides, false}, {four_sided_spec(), four_sided_sides, true},
+      {profile_spec(), profile_sides, true},      {sector_spec(), sector_sides, false},
+      {disc_spec(), disc_sides, false},           {quarter_disc_spec(), quarter_disc_sides, false}};
   return all;
 }
 

@@ -11,6 +11,8 @@ namespace toile::garment {
 struct Shape {
   base::Spec spec;
   mesh::FourSides (*sides)(const base::List& panel);
+  /// The user draws the outline, so it may be open, cross itself or run the wrong way round, which must be checked.
+  bool drawn;
 };
 
 /// All shapes; a new one is a function of its own and a line here.

@@ -34,10 +34,7 @@ Axis read_axis(const base::List& list) {
   const Vec3 along = read_vector(list, "axis top") - bottom;
   if (along.norm() <= 0.0) list.fail("axis top", "must differ from \"axis bottom\"");
   const Vec3 direction = along.normalized();
-  const Vec3 wanted = read_direction(list, "zero direction");
-  const Vec3 zero = wanted - wanted.dot(direction) * direction;
-  if (zero.norm() <= 1e-6) list.fail("zero direction", "must not be parallel to the axis");
-  return {bottom, direction, zero.normalized()};
+  return {bottom, direction, read_perpendicular(list, "zero direction", direction)};
 }
 
 /// Height of each row of the grid: linear in the mean pattern coordinate y of the row.
@@ -66,13 +63,17 @@ std::vector<double> row_arc(const mesh::Grid& grid, int j) {
   return arc;
 }
 
+using SectionAt = std::function<Section(const Axis&, double height)>;
+/// Outward unit normal of the surface at a place on its section, given by its angle and its position.
+using NormalAt = std::function<Vec3(const Axis&, double angle, const Vec3& position)>;
+
 /// Puts every row of the grid on the section at its height.
-std::vector<Vec3> wrap(const base::List& list, const mesh::Grid& grid,
-                       const std::function<Section(const Axis&, double height)>& section_at) {
+mesh::Placed wrap(const base::List& list, const mesh::Grid& grid, const SectionAt& section_at,
+                  const NormalAt& normal_at) {
   const Axis axis = read_axis(list);
   const std::vector<double> heights = row_heights(list, grid);
   const double coverage = list.real("coverage");
-  std::vector<Vec3> placed;
+  mesh::Placed placed;
   for (int j = 0; j <= grid.along; ++j) {
     const Section section = section_at(axis, heights[j]);
     const std::vector<double> arc = row_arc(grid, j);
@@ -86,33 +87,46 @@ std::vector<Vec3> wrap(const base::List& list, const mesh::Grid& grid,
     const double centre = list.real("angle") / 360.0 * section.girth();
     for (const double s : arc) {
       const double angle = section.angle_at(centre + width * (s / arc.back() - 0.5));
-      placed.push_back(axis.at(heights[j]) + section.radius(angle) * axis.ray(angle));
+      placed.position.push_back(axis.at(heights[j]) + section.radius(angle) * axis.ray(angle));
+      placed.normal.push_back(normal_at(axis, angle, placed.position.back()));
     }
   }
   return placed;
 }
 
-std::vector<Vec3> place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
+mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
   if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
-  return wrap(list, grid, [&list, body, offset](const Axis& axis, double height) {
+  const auto section_at = [&list, body, offset](const Axis& axis, double height) {
     try {
       return trace_section(*body, axis, height, offset);
     } catch (const base::InputError& error) {
       list.fail("axis bottom", error.what());
     }
-  });
+  };
+  // The panel lies where the gap is the offset, so the gap's gradient is its normal.
+  const auto normal_at = [&list, body](const Axis&, double, const Vec3& position) {
+    const body::SurfacePoint point = body->closest(position);
+    if (!point.found) list.fail("offset", "the body's surface is out of reach from there, so the panel has no normal");
+    return point.normal;
+  };
+  return wrap(list, grid, section_at, normal_at);
 }
 
-std::vector<Vec3> place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
+mesh::Placed place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
   const base::Reals& around = list.reals("around");
   if (around.size() != 2) list.fail("around", "needs two radii, one at \"from\" and one at \"to\"");
   const double from = list.real("from");
   const double to = list.real("to");
-  return wrap(list, grid, [&around, from, to](const Axis&, double height) {
+  const double taper = (around[1] - around[0]) / (to - from);
+  const auto section_at = [&around, from, taper](const Axis&, double height) {
     constexpr int samples = 16;  // any number: a circle is represented exactly
-    return Section(std::vector<double>(samples, around[0] + (around[1] - around[0]) * (height - from) / (to - from)));
-  });
+    return Section(std::vector<double>(samples, around[0] + taper * (height - from)));
+  };
+  const auto normal_at = [taper](const Axis& axis, double angle, const Vec3&) {
+    return Vec3((axis.ray(angle) - taper * axis.direction).normalized());
+  };
+  return wrap(list, grid, section_at, normal_at);
 }
 
 }  // namespace
@@ -124,7 +138,10 @@ Placement wrap_placement() {
 }
 
 Placement free_wrap_placement() {
-  base::Spec spec = add_wrap_parameters(base::Spec("free wrap", "Round a cylinder or cone, without a body."));
+  base::Spec spec = add_wrap_parameters(
+      base::Spec("free wrap",
+                 "Round a cylinder or cone, without a body. Without a coverage, with two equal radii and with heights "
+                 "as far apart as the panel is high, a rectangle is rolled without any strain."));
   spec.reals("around", "mm", "Radius at 'from' and at 'to'.", base::required, base::Range::positive());
   return {spec, place_freely};
 }

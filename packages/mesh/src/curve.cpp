@@ -46,6 +46,20 @@ Curve::Curve(std::vector<Vec2> points, Interpolation interpolation, std::vector<
   tabulate_arc_length();
 }
 
+Curve::Curve(const Circle& circle)
+    : circle_(circle),
+      points_{circle.at(0.0), circle.at(1.0)},
+      arc_{0.0, circle.radius * std::abs(circle.to - circle.from)} {}
+
+Curve Curve::circular(const Vec2& centre, double radius, double from, double to) {
+  return Curve(Circle{centre, radius, from, to});
+}
+
+Vec2 Curve::Circle::at(double s) const {
+  const double angle = (1.0 - s) * from + s * to;
+  return centre + radius * Vec2(std::cos(angle), std::sin(angle));
+}
+
 Vec2 Curve::value(int segment, double t) const {
   const double h = knots_[segment + 1] - knots_[segment];
   const double b = (t - knots_[segment]) / h;
@@ -80,6 +94,7 @@ void Curve::tabulate_arc_length() {
 Vec2 Curve::at(double s) const {
   if (s <= 0.0) return points_.front();
   if (s >= 1.0) return points_.back();
+  if (circle_) return circle_->at(s);
   const double wanted = s * length();
   const auto next = std::upper_bound(arc_.begin(), arc_.end(), wanted);
   const int piece = std::clamp(static_cast<int>(next - arc_.begin()) - 1, 0, static_cast<int>(arc_.size()) - 2);

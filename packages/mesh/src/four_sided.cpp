@@ -11,6 +11,15 @@
 namespace toile::mesh {
 namespace {
 
+Curve line(const Vec2& a, const Vec2& b) {
+  return Curve({a, b}, Interpolation::polyline);
+}
+
+/// Arc of a circle round the origin.
+Curve rim(double radius, double from, double to) {
+  return Curve::circular(Vec2::Zero(), radius, from, to);
+}
+
 Vec2 coons(const FourSides& sides, double u, double v) {
   const Vec2 ruled =
       (1.0 - v) * sides.bottom.at(u) + v * sides.top.at(u) + (1.0 - u) * sides.left.at(v) + u * sides.right.at(v);
@@ -98,9 +107,26 @@ std::vector<Vec2> FourSides::polygon(int per_side) const {
 }
 
 FourSides rectangle(double width, double height) {
-  const auto line = [](const Vec2& a, const Vec2& b) { return Curve({a, b}, Interpolation::polyline); };
   return {line({0.0, 0.0}, {width, 0.0}), line({width, 0.0}, {width, height}), line({0.0, height}, {width, height}),
           line({0.0, 0.0}, {0.0, height})};
+}
+
+FourSides sector(double inner_radius, double outer_radius, double from, double to) {
+  const Curve bottom = rim(outer_radius, from, to);
+  const Curve top = rim(inner_radius, from, to);
+  return {bottom, line(bottom.back(), top.back()), top, line(bottom.front(), top.front())};
+}
+
+FourSides disc(double radius) {
+  constexpr double eighth = M_PI / 4.0;
+  return {rim(radius, -3.0 * eighth, -eighth), rim(radius, -eighth, eighth), rim(radius, 3.0 * eighth, eighth),
+          rim(radius, 5.0 * eighth, 3.0 * eighth)};
+}
+
+FourSides quarter_disc(double radius) {
+  constexpr double eighth = M_PI / 4.0;
+  return {line({0.0, 0.0}, {radius, 0.0}), rim(radius, 0.0, eighth), rim(radius, 2.0 * eighth, eighth),
+          line({0.0, 0.0}, {0.0, radius})};
 }
 
 std::vector<int> Grid::row(int j) const {
@@ -144,11 +170,12 @@ Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const Gri
 }
 
 void add_panel(Mesh& mesh, const std::string& panel, const std::string& material, const Grid& grid,
-               const std::vector<Vec3>& placed, double wale_angle) {
-  assert(placed.size() == grid.nodes.size());
+               const Placed& placed, double wale_angle) {
+  assert(placed.position.size() == grid.nodes.size() && placed.normal.size() == grid.nodes.size());
   const int first = mesh.nodes();
   mesh.pattern.insert(mesh.pattern.end(), grid.nodes.begin(), grid.nodes.end());
-  mesh.placed.insert(mesh.placed.end(), placed.begin(), placed.end());
+  mesh.placed.insert(mesh.placed.end(), placed.position.begin(), placed.position.end());
+  mesh.normal.insert(mesh.normal.end(), placed.normal.begin(), placed.normal.end());
 
   Block block{panel, material, grid.nodes_per_element, grid.connectivity, {}, {}};
   const auto [low, high] = std::minmax_element(grid.nodes.begin(), grid.nodes.end(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "toile/body/surface.hpp"
 #include "toile/garment/panel.hpp"
 #include "toile/garment/seam.hpp"
+#include "toile/garment/shell.hpp"
 #include "toile/mesh/mesh.hpp"
 
 namespace toile::garment {
@@ -16,7 +18,8 @@ struct Garment {
   mesh::Mesh mesh;  ///< one block a panel, in the order of the file
   std::vector<Seam> seams;
   Clusters clusters;
-  std::vector<std::string> materials;  ///< [panel] name of its entry of "Materials"
+  std::vector<std::string> materials;               ///< [panel] name of its entry of "Materials"
+  std::vector<std::optional<ShellOptions>> shells;  ///< [panel] none: a membrane
 };
 
 /// Meshes, places and sews. `seams` may be null (none); `body` may be null if no panel is wrapped round it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "toile/mesh/mesh.hpp"
@@ -18,6 +19,8 @@ class Curve {
   Curve(const std::vector<Vec2>& points, Interpolation interpolation);
   /// Same with the parameter values of the points, strictly increasing: a coordinate that is linear in them stays so.
   Curve(std::vector<Vec2> points, Interpolation interpolation, std::vector<double> parameters);
+  /// Exact arc of a circle between two angles (radians, from the x axis towards y), run in either direction.
+  static Curve circular(const Vec2& centre, double radius, double from, double to);
 
   double length() const { return arc_.back(); }  ///< mm
   /// Point at the relative arc length s in 0..1.
@@ -26,12 +29,21 @@ class Curve {
   Vec2 back() const { return points_.back(); }
 
  private:
+  struct Circle {
+    Vec2 centre;
+    double radius, from, to;
+
+    Vec2 at(double s) const;
+  };
+
+  explicit Curve(const Circle& circle);
   Vec2 value(int segment, double t) const;
   Vec2 derivative(int segment, double t) const;
   /// Arc length between two parameters of one segment, mm.
   double arc(int segment, double from, double to) const;
   void tabulate_arc_length();
 
+  std::optional<Circle> circle_;  ///< if it is one, the points are its two ends, without knots
   std::vector<Vec2> points_;
   std::vector<double> knots_;
   std::vector<Vec2> second_;  ///< second derivative at the knots

@@ -25,10 +25,17 @@ struct Block {
   int size() const { return static_cast<int>(connectivity.size()) / nodes_per_element; }
 };
 
+/// Start in space of the nodes of one panel.
+struct Placed {
+  std::vector<Vec3> position;  ///< mm
+  std::vector<Vec3> normal;    ///< unit, along x_,1 x x_,2 with the pattern's axes 1, 2: the right side of the fabric
+};
+
 /// The whole garment, the same on every rank. Every panel has nodes of its own: seams tie them (see garment::Seam).
 struct Mesh {
   std::vector<Vec2> pattern;  ///< [node] stress-free coordinates in the panel's own plane, mm
   std::vector<Vec3> placed;   ///< [node] start in space, mm
+  std::vector<Vec3> normal;   ///< [node] unit normal there (see Placed), a shell's first director; not shared by panels
   std::vector<Block> blocks;
   /// Ordered nodes along each named edge of each panel: "front.left", "front.top", ...
   std::map<std::string, std::vector<int>> edges;
@@ -36,5 +43,8 @@ struct Mesh {
   int nodes() const { return static_cast<int>(pattern.size()); }
   int elements() const;
 };
+
+/// Length in the pattern from the first of some nodes along the line through them to each one, mm.
+std::vector<double> arc_lengths(const Mesh& mesh, const std::vector<int>& nodes);
 
 }  // namespace toile::mesh

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/mesh/mesh.hpp"
+
+namespace toile::mesh {
+
+/// Nodes that a name of the input stands for, or what is wrong with the name.
+struct FoundNodes {
+  std::vector<int> nodes;
+  std::string problem;  ///< complete sentence with what is valid; empty: the nodes were found
+};
+
+/// Nodes of
+/// - a panel, "front" (ascending), or an edge of it, "front.left" (in its order);
+/// - a corner, "front.bottom-left", "front.bottom-right", "front.top-right" or "front.top-left": one node;
+/// - a place on an edge, "front.left@0.5": the one node nearest to this relative arc length in the pattern;
+/// - a place in a panel, "front@0.5,0.25": the one node in the column of elements that starts nearest to the first
+///   number along "front.bottom" and in the row that starts nearest to the second along "front.left".
+/// Of two nodes that are equally near the first one is taken.
+FoundNodes find_nodes(const Mesh& mesh, const std::string& name);
+
+}  // namespace toile::mesh

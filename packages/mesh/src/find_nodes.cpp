@@ -1,0 +1,140 @@
+#include "toile/mesh/find_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "toile/base/parameters.hpp"
+
+namespace toile::mesh {
+namespace {
+
+struct Corner {
+  const char* name;
+  const char* edge;
+  bool at_end;
+};
+constexpr std::array<Corner, 4> corners{{{".bottom-left", ".bottom", false},
+                                         {".bottom-right", ".bottom", true},
+                                         {".top-left", ".top", false},
+                                         {".top-right", ".top", true}}};
+
+const std::vector<int>* edge_of(const Mesh& mesh, const std::string& name) {
+  const auto found = mesh.edges.find(name);
+  return found == mesh.edges.end() ? nullptr : &found->second;
+}
+
+const Block* panel_of(const Mesh& mesh, const std::string& name) {
+  const auto found =
+      std::find_if(mesh.blocks.begin(), mesh.blocks.end(), [&name](const Block& block) { return block.name == name; });
+  return found == mesh.blocks.end() ? nullptr : &*found;
+}
+
+std::optional<int> corner_of(const Mesh& mesh, const std::string& name) {
+  const std::string panel = name.substr(0, name.rfind('.'));
+  for (const Corner& corner : corners) {
+    if (name != panel + corner.name) continue;
+    if (const auto* edge = edge_of(mesh, panel + corner.edge)) return corner.at_end ? edge->back() : edge->front();
+  }
+  return std::nullopt;
+}
+
+std::vector<int> nodes_of(const Block& panel) {
+  std::vector<int> nodes = panel.connectivity;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+FoundNodes failed(const std::string& problem) {
+  return {{}, problem};
+}
+
+FoundNodes unknown(const Mesh& mesh, const std::string& name) {
+  base::Texts valid;
+  for (const Block& block : mesh.blocks) valid.push_back(block.name);
+  for (const auto& [edge, nodes] : mesh.edges) valid.push_back(edge);
+  std::string all;
+  for (const std::string& one : valid) all += (all.empty() ? "" : ", ") + one;
+  for (const Block& block : mesh.blocks) {
+    for (const Corner& corner : corners) valid.push_back(block.name + corner.name);
+  }
+  const std::string near = base::nearest_name(name, valid);
+  return failed(
+      "no edge or panel is named \"" + name + "\"" + (near.empty() ? "." : "; did you mean \"" + near + "\"?") +
+      " Valid here: " + all +
+      "; the corners of a panel, <panel>.bottom-left, .bottom-right, .top-right and .top-left; one node on an "
+      "edge, for instance <panel>.left@0.5, or in a panel, <panel>@0.5,0.5");
+}
+
+/// Numbers in 0..1 separated by commas; none if the text is something else.
+std::vector<double> read_fractions(const std::string& text) {
+  std::vector<double> numbers;
+  const char* next = text.data();
+  const char* const end = next + text.size();
+  while (true) {
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(next, end, value);
+    if (error != std::errc() || !(value >= 0.0 && value <= 1.0)) return {};
+    numbers.push_back(value);
+    if (stop == end) return numbers;
+    if (*stop != ',') return {};
+    next = stop + 1;
+  }
+}
+
+/// Node of an edge that is nearest to a relative arc length.
+int nearest_on(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
+  const std::vector<double> arc = arc_lengths(mesh, edge);
+  const double wanted = fraction * arc.back();
+  // A hair's breadth of preference for the first one makes a tie independent of rounding.
+  const double hair = 1e-9 * arc.back();
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < arc.size(); ++k) {
+    if (std::abs(arc[k] - wanted) < std::abs(arc[best] - wanted) - hair) best = k;
+  }
+  return edge[best];
+}
+
+FoundNodes place_on_edge(const Mesh& mesh, const std::string& name, const std::vector<int>& edge,
+                         const std::vector<double>& place) {
+  if (place.size() == 1) return {{nearest_on(mesh, edge, place[0])}, ""};
+  return failed("\"" + name + "\" must have one number from 0 to 1 after the @, the relative length along the edge");
+}
+
+FoundNodes place_in_panel(const Mesh& mesh, const std::string& name, const std::string& panel,
+                          const std::vector<double>& place) {
+  if (place.size() != 2) {
+    return failed("\"" + name +
+                  "\" must have two numbers from 0 to 1 after the @, separated by a comma: the relative place from "
+                  "left to right and from bottom to top");
+  }
+  const auto* bottom = edge_of(mesh, panel + ".bottom");
+  const auto* left = edge_of(mesh, panel + ".left");
+  if (bottom == nullptr || left == nullptr) return failed("\"" + panel + "\" has no rows and columns of elements");
+  // Rows are numbered one after another (see Grid).
+  return {{nearest_on(mesh, *left, place[1]) + nearest_on(mesh, *bottom, place[0]) - bottom->front()}, ""};
+}
+
+FoundNodes find_place(const Mesh& mesh, const std::string& name, const std::string& set,
+                      const std::vector<double>& place) {
+  if (const auto* edge = edge_of(mesh, set)) return place_on_edge(mesh, name, *edge, place);
+  if (panel_of(mesh, set) != nullptr) return place_in_panel(mesh, name, set, place);
+  if (corner_of(mesh, set)) return failed("\"" + set + "\" is one node, so \"@\" and a place cannot follow");
+  return unknown(mesh, set);
+}
+
+}  // namespace
+
+FoundNodes find_nodes(const Mesh& mesh, const std::string& name) {
+  if (const auto* edge = edge_of(mesh, name)) return {*edge, ""};
+  if (const Block* panel = panel_of(mesh, name)) return {nodes_of(*panel), ""};
+  if (const auto corner = corner_of(mesh, name)) return {{*corner}, ""};
+  const std::size_t at = name.rfind('@');
+  if (at == std::string::npos) return unknown(mesh, name);
+  return find_place(mesh, name, name.substr(0, at), read_fractions(name.substr(at + 1)));
+}
+
+}  // namespace toile::mesh

@@ -1,0 +1,107 @@
+#include "toile/mesh/find_nodes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "toile/mesh/four_sided.hpp"
+
+namespace toile::mesh {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Panels "back" and "front" of 4 x 6 elements; the nodes of "front" start at 35.
+Mesh two_panels(double grading = 1.0) {
+  Mesh mesh;
+  GridOptions options;
+  options.across = 4;
+  options.along = 6;
+  options.grading_along = grading;
+  for (const char* name : {"back", "front"}) {
+    const Grid grid = mesh_four_sided(name, rectangle(40.0, 60.0), options);
+    const std::vector<Vec3> anywhere(grid.nodes.size(), Vec3::Zero());
+    add_panel(mesh, name, "knit", grid, {anywhere, anywhere}, 0.0);
+  }
+  return mesh;
+}
+
+std::vector<int> nodes(const std::string& name, const Mesh& mesh = two_panels()) {
+  const FoundNodes found = find_nodes(mesh, name);
+  EXPECT_EQ(found.problem, "");
+  return found.nodes;
+}
+
+std::string problem(const std::string& name) {
+  const FoundNodes found = find_nodes(two_panels(), name);
+  EXPECT_TRUE(found.nodes.empty());
+  return found.problem;
+}
+
+// An edge gives its nodes in its order, a panel all of its nodes.
+TEST(FindNodes, EdgesAndPanels) {
+  EXPECT_THAT(nodes("front.bottom"), ElementsAre(35, 36, 37, 38, 39));
+  const std::vector<int> all = nodes("front");
+  ASSERT_EQ(all.size(), 35u);
+  EXPECT_EQ(all.front(), 35);
+  EXPECT_EQ(all.back(), 69);
+}
+
+// The four corners of a panel have names of their own.
+TEST(FindNodes, Corners) {
+  EXPECT_THAT(nodes("front.bottom-left"), ElementsAre(35));
+  EXPECT_THAT(nodes("front.bottom-right"), ElementsAre(39));
+  EXPECT_THAT(nodes("front.top-left"), ElementsAre(65));
+  EXPECT_THAT(nodes("front.top-right"), ElementsAre(69));
+}
+
+// A place on an edge is the nearest node by arc length, whatever the grading; of two equally near ones the first.
+TEST(FindNodes, PlaceOnEdge) {
+  EXPECT_THAT(nodes("front.left@0"), ElementsAre(35));
+  EXPECT_THAT(nodes("front.left@0.5"), ElementsAre(50));
+  EXPECT_THAT(nodes("front.left@1"), ElementsAre(65));
+  EXPECT_THAT(nodes("front.bottom@0.6"), ElementsAre(37));
+  EXPECT_THAT(nodes("front.bottom@0.375"), ElementsAre(36));
+  EXPECT_THAT(nodes("front.left@0.17"), ElementsAre(40));
+  EXPECT_THAT(nodes("front.left@0.17", two_panels(2.0)), ElementsAre(45));
+}
+
+// A place in a panel is the node where the nearest column and the nearest row cross.
+TEST(FindNodes, PlaceInPanel) {
+  EXPECT_THAT(nodes("front@0.5,0.5"), ElementsAre(35 + 3 * 5 + 2));
+  EXPECT_THAT(nodes("front@1,0"), ElementsAre(39));
+  EXPECT_THAT(nodes("back@0.25,1"), ElementsAre(31));
+}
+
+// A name that means nothing is answered with the nearest one, all edges and panels, and the forms of single nodes.
+TEST(FindNodes, UnknownNames) {
+  EXPECT_THAT(problem("front.botom"),
+              StartsWith("no edge or panel is named \"front.botom\"; did you mean \"front.bottom\"? Valid here: back, "
+                         "front, back.bottom, back.left, back.right, back.top, front.bottom, front.left, front.right, "
+                         "front.top; the corners of a panel, <panel>.bottom-left, "));
+  EXPECT_THAT(problem("front.top-rigth"), HasSubstr("did you mean \"front.top-right\"?"));
+  EXPECT_THAT(problem("front.side@0.5"), HasSubstr("no edge or panel is named \"front.side\""));
+  EXPECT_THAT(problem("sleeve.top-right"), HasSubstr("no edge or panel is named \"sleeve.top-right\""));
+}
+
+// A place on an edge is one number from 0 to 1, a place in a panel two, and a corner has none.
+TEST(FindNodes, BadPlaces) {
+  for (const char* name : {"front.left@1.5", "front.left@-0.1", "front.left@half", "front.left@", "front.left@0.5,0.5",
+                           "front.left@0.5 "}) {
+    EXPECT_EQ(problem(name), "\"" + std::string(name) +
+                                 "\" must have one number from 0 to 1 after the @, the relative length along the edge");
+  }
+  EXPECT_THAT(problem("front@0.5"), HasSubstr("\"front@0.5\" must have two numbers from 0 to 1 after the @"));
+  EXPECT_EQ(problem("front.top-left@0.5"), "\"front.top-left\" is one node, so \"@\" and a place cannot follow");
+}
+
+// A panel that was not meshed row by row has no places inside.
+TEST(FindNodes, PanelWithoutRows) {
+  Mesh mesh = two_panels();
+  mesh.edges.clear();
+  EXPECT_EQ(find_nodes(mesh, "front@0.5,0.5").problem, "\"front\" has no rows and columns of elements");
+}
+
+}  // namespace
+}  // namespace toile::mesh
