@@ -102,10 +102,12 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   if (!std::ofstream(probe)) throw base::InputError("cannot write in the folder of the results \"" + folder + "\"");
   std::filesystem::remove(probe);
   distances_.resize(scene.output().distances.size());
+  points_.resize(scene.output().points.size());
 }
 
 void Recorder::open_files() {
-  for (const char* file : {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv"})
+  for (const char* file : {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv",
+                           "points.csv"})
     std::filesystem::remove(folder_ + "/" + file);
   for (const std::string plot : {"pressure", "force-curves"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})
@@ -124,6 +126,10 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
   for (size_t i = 0; i < distances_.size(); ++i) {
     const scene::Distance& d = scene_.output().distances[i];
     distances_[i].push_back((fields_.position[d.second] - fields_.position[d.first]).norm());
+  }
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const int node = scene_.output().points[i].node;
+    points_[i].push_back(fields_.position[node] - scene_.garment().mesh.placed[node]);
   }
   write_exodus(report);
   history_->append(global_values(report));
@@ -177,6 +183,23 @@ void Recorder::finish(base::Log& log) {
   const scene::Output& output = scene_.output();
   if (scene_.surface() != nullptr && (output.stations > 0 || !output.levels.empty())) write_pressure(log);
   if (!output.force_curves.empty()) write_forces(log);
+  if (!output.points.empty()) write_points();
+}
+
+void Recorder::write_points() const {
+  result::Table table;
+  table.columns = {{{"step", ""}, {}}, {{"load", ""}, {}}};
+  for (const solve::StepReport& r : reports_) {
+    table.columns[0].values.push_back(r.step);
+    table.columns[1].values.push_back(r.load);
+  }
+  for (size_t i = 0; i < points_.size(); ++i)
+    for (Eigen::Index d = 0; d < 3; ++d) {
+      std::vector<double> values;
+      for (const solve::Vec3& u : points_[i]) values.push_back(u[d]);
+      table.columns.push_back({{scene_.output().points[i].title + ": displacement " + "xyz"[d], "mm"}, values});
+    }
+  result::write_csv(folder_ + "/points.csv", table);
 }
 
 void Recorder::write_pressure(base::Log& log) const {

@@ -34,6 +34,7 @@ class Recorder {
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;
   void write_forces(base::Log& log) const;
+  void write_points() const;
 
   const scene::Scene& scene_;
   std::string folder_;
@@ -43,6 +44,7 @@ class Recorder {
   solve::Fields fields_;
   std::vector<solve::StepReport> reports_;
   std::vector<std::vector<double>> distances_;  ///< [curve][step] mm
+  std::vector<std::vector<solve::Vec3>> points_;  ///< [point][step] displacement, mm
 };
 
 }  // namespace toile::app

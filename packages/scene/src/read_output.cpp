@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "toile/mesh/find_nodes.hpp"
+
 namespace toile::scene {
 
 namespace {
@@ -15,11 +17,7 @@ solve::Vec3 vector_of(const base::List& list, const std::string& name) {
 }
 
 std::string unknown(const std::string& kind, const std::string& name, const base::Texts& valid) {
-  const std::string near = base::nearest_name(name, valid);
-  std::string all;
-  for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
-  return "no " + kind + " is named \"" + name + "\"" + (near.empty() ? "." : "; did you mean \"" + near + "\"?") +
-         " Valid here: " + all;
+  return "no " + kind + " is named \"" + name + "\"" + base::hint(name, valid);
 }
 
 int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
@@ -32,6 +30,15 @@ int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string&
   }
   const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
   return edge->second[static_cast<size_t>(std::lround(at))];
+}
+
+Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
+  const mesh::FoundNodes found = mesh::find_nodes(mesh, entry.word("on"));
+  if (!found.problem.empty()) entry.fail("on", found.problem);
+  if (found.nodes.size() != 1)
+    entry.fail("on", "\"" + entry.word("on") + "\" has " + std::to_string(found.nodes.size()) +
+                         " nodes; name one by a corner or a place, for instance \"" + entry.word("on") + "@0.5\"");
+  return {entry.name(), found.nodes.front()};
 }
 
 }  // namespace
@@ -64,6 +71,9 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
     for (const base::List& entry : list.list("Distances").entries())
       out.distances.push_back(
           {entry.name(), edge_node(entry, *problem.mesh, "first"), edge_node(entry, *problem.mesh, "second")});
+  if (list.has_list("Points"))
+    for (const base::List& entry : list.list("Points").entries())
+      out.points.push_back(read_point(entry, *problem.mesh));
   return out;
 }
 

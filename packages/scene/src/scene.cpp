@@ -71,11 +71,7 @@ void Scene::build_laws(const base::List& list) {
   for (const base::List& panel : list.list("Panels").entries()) {
     const std::string& wanted = panel.word("material");
     if (materials_.count(wanted) == 0) {
-      const std::string near = base::nearest_name(wanted, names);
-      std::string all;
-      for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-      panel.fail("material", "no entry of the list \"Materials\" has this name" +
-                                 (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Valid here: " + all);
+      panel.fail("material", "no entry of the list \"Materials\" has this name" + base::hint(wanted, names));
     }
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {

@@ -32,6 +32,8 @@ Spec output_spec() {
       .word("second", "Name of the other edge, for instance strip.right.")
       .real("second at", "", "Place on the second edge, from 0 at its start to 1 at its end.", 0.5,
             Range::between(0.0, 1.0));
+  Spec point("point", "A node whose displacement is written at every step.");
+  point.word("on", "A corner (front.top-left), a place on an edge (front.top@0.5) or in a panel (front@0.5,0.25).");
   Spec output("Output", "What is written beyond the fields of the Exodus file.");
   output
       .reals("axis point", "mm", "Point of the axis along which heights are measured; it has height 0.",
@@ -44,7 +46,8 @@ Spec output_spec() {
       .list(Spec("Levels", "Named heights, for instance the hosiery levels.").entries(level))
       .list(Spec("Force curves", "Force against stretch, as in a tensile test.").entries(curve))
       .list(Spec("Distances", "Distances that are followed, for instance the width of a necking strip.")
-                .entries(distance));
+                .entries(distance))
+      .list(Spec("Points", "Nodes whose displacements are followed (points.csv).").entries(point));
   return output;
 }
 

@@ -232,6 +232,8 @@ NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
   load.value = vector_of(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
   if (type == "point")
     load.share.assign(load.nodes.size(), 1.0);
+  else if (load.nodes.size() < 2)
+    entry.fail("on", "\"" + entry.word("on") + "\" is a single node; a load per length needs an edge");
   else
     load.share = nodal_lengths(mesh, load.nodes);
   return load;

@@ -39,6 +39,12 @@ struct Distance {
   int first = 0, second = 0;  ///< nodes
 };
 
+/// A node whose displacement is written at every step.
+struct Point {
+  std::string title;
+  int node = 0;
+};
+
 /// What the scene asks to be written beyond the fields.
 struct Output {
   solve::Vec3 axis_point = solve::Vec3::Zero(), axis_direction = solve::Vec3::UnitZ();
@@ -47,6 +53,7 @@ struct Output {
   std::vector<Level> levels;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
+  std::vector<Point> points;
 };
 
 /// Bounds that the result must keep; a check that does not hold ends the run with base::ExitCode::check_failed.
