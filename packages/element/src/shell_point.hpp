@@ -142,7 +142,7 @@ void Resultants::spread_stiffness(const ShellPoint<Nodes>& point, NodalSystem<No
       }
     }
     for (int j = i; j < Nodes; ++j) {
-      auto& block = system.stiffness[i][j];
+      auto& block = system.block(i, j);
       const double g0 = g[0][j], g1 = g[1][j];
       for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
