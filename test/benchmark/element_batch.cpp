@@ -8,6 +8,7 @@
 
 #include "toile/element/element.hpp"
 #include "toile/material/material.hpp"
+#include "toile/material/response.hpp"
 
 namespace {
 
@@ -26,9 +27,9 @@ std::vector<double> pantyhose(const material::MaterialV1& law) {
   return {};
 }
 
-/// Distorted elements of 10 mm, stretched by about 1.2 (wale) and 1.8 (course) and bent.
+/// Distorted elements of 10 mm, stretched by about 1.2 (wale) and 1.8 (course) and bent; shells with 3 layers.
 struct Garment {
-  std::vector<double> pattern, x, wale_angle;
+  std::vector<double> pattern, x, wale_angle, frames, frozen;
 
   explicit Garment(const element::Element& element) : wale_angle(count, 0.1) {
     const double corners[4][2] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
@@ -37,26 +38,45 @@ struct Garment {
         const double X = corners[i][0] + std::sin(e + i), Y = corners[i][1] + std::cos(2.0 * e + i);
         pattern.insert(pattern.end(), {X, Y});
         x.insert(x.end(), {1.2 * X + 0.1 * Y, 1.8 * Y, 0.02 * X * Y});
+        if (element.dofs_per_node() == 5) x.insert(x.end(), {0.1 * std::sin(e), 0.1 * std::cos(i)});
+        frames.insert(frames.end(), {1, 0, 0, 0, 1, 0, 0, 0, 1});
       }
     }
   }
+
+  element::Batch batch(const element::Element& element, const material::Response& response, const double* params) {
+    element::Batch all;
+    all.n = count;
+    all.pattern = pattern.data();
+    all.x = x.data();
+    all.wale_angle = wale_angle.data();
+    all.response = &response;
+    all.params = params;
+    all.frames = frames.data();
+    all.shear_modulus = 0.02;
+    frozen.resize(count * element.frozen_values());
+    element.freeze(all, frozen.data());
+    all.frozen = frozen.data();
+    return all;
+  }
 };
 
-/// Residual and tangent of all elements; the material alone, at the same C in the same chunks, is timed apart.
+/// Residual and tangent of all elements; the material alone, at the same C (of a shell: of its mid-surface for each
+/// layer), is timed apart.
 void residual_and_tangent(benchmark::State& state, const char* element_name, const char* material_name) {
   const element::Element& element = *element::find(element_name);
   const material::MaterialV1& law = *material::find(material_name);
-  const material::PlainResponse response(law);
   const std::vector<double> params = pantyhose(law);
-  const Garment garment(element);
-  const element::Batch batch = {
-      count, garment.pattern.data(), garment.x.data(), garment.wale_angle.data(), &response, params.data(), false, 1.0};
+  const material::PlainResponse response(law);
+  Garment garment(element);
+  const element::Batch batch = garment.batch(element, response, params.data());
   std::vector<double> residual(count * element.ndof()), tangent(count * element.ndof() * element.ndof());
 
   const int chunk = 64 * element.points();
   const std::vector<double> C = element.fields(batch).C;
   std::vector<double> soa(3 * chunk), W(chunk), S(3 * chunk), D(6 * chunk), stretch(chunk);
   std::vector<std::uint8_t> status(chunk);
+  const int layers = element.dofs_per_node() == 5 ? batch.layers : 1;
   double material_time = 0.0, total_time = 0.0;
   for (auto _ : state) {
     const auto start = Clock::now();
@@ -69,7 +89,7 @@ void residual_and_tangent(benchmark::State& state, const char* element_name, con
       const auto begin = Clock::now();
       law.evaluate(chunk, soa.data(), params.data(), 0, W.data(), S.data(), D.data(), stretch.data(), nullptr,
                    status.data());
-      material_time += seconds_since(begin);
+      material_time += layers * seconds_since(begin);
     }
     benchmark::DoNotOptimize(tangent.data());
     benchmark::DoNotOptimize(D.data());
@@ -83,5 +103,10 @@ BENCHMARK_CAPTURE(residual_and_tangent, membrane4_itskov, "membrane4", "itskov")
 BENCHMARK_CAPTURE(residual_and_tangent, membrane4_rebar, "membrane4", "rebar")->UseManualTime();
 BENCHMARK_CAPTURE(residual_and_tangent, membrane3_neo_hookean, "membrane3", "neo-hookean")->UseManualTime();
 BENCHMARK_CAPTURE(residual_and_tangent, membrane3_itskov, "membrane3", "itskov")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, shell4_neo_hookean, "shell4", "neo-hookean")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, shell4_itskov, "shell4", "itskov")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, shell4r_neo_hookean, "shell4r", "neo-hookean")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, shell4r_itskov, "shell4r", "itskov")->UseManualTime();
+BENCHMARK_CAPTURE(residual_and_tangent, shell3_neo_hookean, "shell3", "neo-hookean")->UseManualTime();
 
 }  // namespace

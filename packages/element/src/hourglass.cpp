@@ -95,7 +95,6 @@ void Hourglass::set_slopes(const ShellPoint<4>& centre) {
       for (int c = 0; c < 3; ++c) {
         const double slope = g_[a][i] * q_[c] + gamma_[i] * centre.a[a][c];
         strain_slope_[a][i][c] = slope;
-        strain_slope_[a][i][3 + c] = 0.0;
         curvature_slope_[a][i][c] = g_[a][i] * q_d_[c] + gamma_[i] * centre.d[a][c];
         curvature_slope_[a][i][3 + c] = l_ * slope;
       }
@@ -116,9 +115,8 @@ void Hourglass::add_force(NodalSystem<4>& system) const {
   for (int i = 0; i < 4; ++i) {
     for (int a = 0; a < 2; ++a) {
       const double force = stiffness_[a] * strain_[a], moment = bending_[a] * curvature_[a];
-      for (int c = 0; c < 6; ++c) {
-        system.force[i][c] += force * strain_slope_[a][i][c] + moment * curvature_slope_[a][i][c];
-      }
+      for (int c = 0; c < 3; ++c) system.force[i][c] += force * strain_slope_[a][i][c];
+      for (int c = 0; c < 6; ++c) system.force[i][c] += moment * curvature_slope_[a][i][c];
     }
     for (int c = 0; c < 3; ++c) {
       system.force[i][c] += geometric_ * gamma_[i] * q_[c];
@@ -130,16 +128,20 @@ void Hourglass::add_force(NodalSystem<4>& system) const {
 void Hourglass::add_stiffness(NodalSystem<4>& system) const {
   for (int i = 0; i < 4; ++i) {
     for (int j = i; j < 4; ++j) {
+      auto& block = system.block(i, j);
       const double both = gamma_[i] * gamma_[j];
       double positions = geometric_ * both, coupling = 0.0;
       for (int a = 0; a < 2; ++a) {
-        double force[6], moment[6];
-        for (int c = 0; c < 6; ++c) {
-          force[c] = stiffness_[a] * strain_slope_[a][j][c];
-          moment[c] = bending_[a] * curvature_slope_[a][j][c];
+        const auto& strain = strain_slope_[a];
+        for (int r = 0; r < 3; ++r) {
+          const double scaled = stiffness_[a] * strain[i][r];
+          for (int c = 0; c < 3; ++c) block[r][c] += scaled * strain[j][c];
         }
-        system.add_outer(i, strain_slope_[a][i], j, force);
-        system.add_outer(i, curvature_slope_[a][i], j, moment);
+        const auto& curvature = curvature_slope_[a];
+        for (int r = 0; r < 6; ++r) {
+          const double scaled = bending_[a] * curvature[i][r];
+          for (int c = 0; c < 6; ++c) block[r][c] += scaled * curvature[j][c];
+        }
         const double second = g_[a][i] * gamma_[j] + gamma_[i] * g_[a][j];
         positions += stiffness_[a] * strain_[a] * second;
         coupling += bending_[a] * curvature_[a] * l_ * second;

@@ -43,7 +43,8 @@ class Hourglass {
   double l_;
   double q_[3], q_d_[3];  ///< of positions, and of directors times l
   double strain_[2], curvature_[2];
-  double strain_slope_[2][4][6], curvature_slope_[2][4][6];  ///< by (x_I, d_I)
+  double strain_slope_[2][4][3];     ///< by x_I
+  double curvature_slope_[2][4][6];  ///< by (x_I, d_I)
 };
 
 }  // namespace toile::element

@@ -13,23 +13,27 @@ enum NodeVector { position_vector = 0, director_vector = 1 };
 /// First and second derivative of an element's energy with respect to (x_I, d_I), and their condensation to the 5
 /// unknowns a node. Only blocks (i, j) with j >= i of the stiffness are stored.
 template <int Nodes>
-struct NodalSystem {
+class NodalSystem {
+ public:
+  using Block = double[6][6];
   double force[Nodes][6] = {};
-  double stiffness[Nodes][Nodes][6][6];
 
   /// Before the first addition to the stiffness.
-  void clear_stiffness() { std::fill_n(&stiffness[0][0][0][0], 36 * Nodes * Nodes, 0.0); }
+  void clear_stiffness() { std::fill_n(&stiffness_[0][0][0], 36 * pairs, 0.0); }
+  /// Block (i, j) of the stiffness with j >= i.
+  Block& block(int i, int j) { return stiffness_[pair(i, j)]; }
 
   /// Adds value times the identity for vector `row` of node i and vector `column` of node j; an entry below the stored
   /// blocks is dropped, its mirror image must be added too.
   void add_identity(int i, NodeVector row, int j, NodeVector column, double value) {
     if (j < i) return;
-    for (int c = 0; c < 3; ++c) stiffness[i][j][3 * row + c][3 * column + c] += value;
+    for (int c = 0; c < 3; ++c) block(i, j)[3 * row + c][3 * column + c] += value;
   }
   /// Adds u_i v_j^T to block (i, j) with j >= i.
   void add_outer(int i, const double (&u)[6], int j, const double (&v)[6]) {
+    Block& K = block(i, j);
     for (int r = 0; r < 6; ++r) {
-      for (int c = 0; c < 6; ++c) stiffness[i][j][r][c] += u[r] * v[c];
+      for (int c = 0; c < 6; ++c) K[r][c] += u[r] * v[c];
     }
   }
 
@@ -39,7 +43,11 @@ struct NodalSystem {
   void condense_stiffness(const Director (&directors)[Nodes], double* tangent) const;
 
  private:
+  static constexpr int pairs = Nodes * (Nodes + 1) / 2;
+  static constexpr int pair(int i, int j) { return i * Nodes - i * (i + 1) / 2 + j; }
   void condense_block(int i, int j, const Director (&directors)[Nodes], double (&K)[5][5]) const;
+
+  double stiffness_[pairs][6][6];
 };
 
 template <int Nodes>
@@ -56,17 +64,19 @@ template <int Nodes>
 void NodalSystem<Nodes>::condense_block(int i, int j, const Director (&directors)[Nodes], double (&K)[5][5]) const {
   double columns[6][5];
   for (int r = 0; r < 6; ++r) {
-    const double* row = stiffness[i][j][r];
-    std::copy_n(row, 3, columns[r]);
+    const auto& row = stiffness_[pair(i, j)][r];
+    for (int c = 0; c < 3; ++c) columns[r][c] = row[c];
     for (int b = 0; b < 2; ++b) {
-      const double* first = directors[j].first[b];
+      const auto& first = directors[j].first[b];
       columns[r][3 + b] = row[3] * first[0] + row[4] * first[1] + row[5] * first[2];
     }
   }
-  for (int c = 0; c < 5; ++c) {
-    for (int r = 0; r < 3; ++r) K[r][c] = columns[r][c];
-    for (int a = 0; a < 2; ++a) {
-      const double* first = directors[i].first[a];
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 5; ++c) K[r][c] = columns[r][c];
+  }
+  for (int a = 0; a < 2; ++a) {
+    const auto& first = directors[i].first[a];
+    for (int c = 0; c < 5; ++c) {
       K[3 + a][c] = first[0] * columns[3][c] + first[1] * columns[4][c] + first[2] * columns[5][c];
     }
   }

@@ -52,16 +52,16 @@ void ReferencePoint<Nodes>::set_axes(const double (&A)[2][3], const double (&wal
                                      const double (&D)[3]) {
   double normal[3], dual[2][3];
   cross(A[0], A[1], normal);
-  const double measure = std::sqrt(dot(normal, normal));
-  for (double& component : normal) component /= measure;
+  const double measure = std::sqrt(dot(normal, normal)), inverse = 1.0 / measure;
+  for (double& component : normal) component *= inverse;
   cross(A[1], normal, dual[0]);
   cross(normal, A[0], dual[1]);
   for (int c = 0; c < 3; ++c) axis[0][c] = wale[0] * A[0][c] + wale[1] * A[1][c];
-  const double length = std::sqrt(dot(axis[0], axis[0]));
-  for (double& component : axis[0]) component /= length;
+  const double shrink = 1.0 / std::sqrt(dot(axis[0], axis[0]));
+  for (double& component : axis[0]) component *= shrink;
   cross(normal, axis[0], axis[1]);
   for (int r = 0; r < 2; ++r) {
-    for (int a = 0; a < 2; ++a) to_material[r][a] = dot(dual[r], axis[a]) / measure;
+    for (int a = 0; a < 2; ++a) to_material[r][a] = dot(dual[r], axis[a]) * inverse;
   }
   area = dot(normal, D) > 0.0 ? measure * weight : -measure * weight;
 }

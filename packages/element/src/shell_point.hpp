@@ -28,7 +28,8 @@ struct ShellPoint {
   void set_curvature(const ShellNodes<Nodes>& nodes);
   void deform(const ShellNodes<Nodes>& nodes, double thickness_stretch);
   void base(double z, double (&p)[2][3]) const;
-  /// C11, C22, C12 at height z.
+  /// C11, C22, C12 at height z; zero, which no material admits, of a layer that curvature has turned inside out (its C
+  /// alone would not tell).
   void deformation(double z, double (&C)[3]) const;
 };
 
@@ -80,8 +81,14 @@ void ShellPoint<Nodes>::base(double z, double (&p)[2][3]) const {
 
 template <int Nodes>
 void ShellPoint<Nodes>::deformation(double z, double (&C)[3]) const {
-  double p[2][3];
+  double p[2][3], normal[3], layer_normal[3];
   base(z, p);
+  cross(a[0], a[1], normal);
+  cross(p[0], p[1], layer_normal);
+  if (!(dot(normal, layer_normal) > 0.0)) {
+    std::fill_n(C, 3, 0.0);
+    return;
+  }
   C[0] = dot(p[0], p[0]);
   C[1] = dot(p[1], p[1]);
   C[2] = dot(p[0], p[1]);
@@ -135,7 +142,7 @@ void Resultants::spread_stiffness(const ShellPoint<Nodes>& point, NodalSystem<No
       }
     }
     for (int j = i; j < Nodes; ++j) {
-      auto& block = system.stiffness[i][j];
+      auto& block = system.block(i, j);
       const double g0 = g[0][j], g1 = g[1][j];
       for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,7 @@
 #include "equilibrium.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

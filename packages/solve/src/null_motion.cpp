@@ -1,5 +1,6 @@
 #include "null_motion.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <sstream>

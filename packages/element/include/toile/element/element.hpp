@@ -72,7 +72,7 @@ class Element {
   virtual void reference_areas(const Batch& batch, double* areas) const = 0;
 };
 
-/// The formulation named `name` ("membrane4", "membrane3"), or null.
+/// The formulation named `name` (see registry()), or null.
 const Element* find(const std::string& name);
 const std::vector<const Element*>& registry();
 
