@@ -71,7 +71,8 @@ struct Case {
   std::vector<double> params;
 };
 
-/// Every material with every published set that it accepts, and every reading of the rebar model.
+/// Every material with every published set that it accepts or with values of this file, and every reading of the rebar
+/// model.
 inline std::vector<Case> cases() {
   std::vector<Case> all;
   for (const MaterialV1* material : registry())
@@ -91,6 +92,8 @@ inline std::vector<Case> cases() {
     }
   const MaterialV1& itskov = law("itskov");
   all.push_back({"itskov swapped", &itskov, with(itskov, values("itskov", "t-shirt"), "swap axes", 1.0)});
+  for (const std::vector<double>& params : {std::vector<double>{0.08, 0.3}, {0.08, -0.4}, {0.08, 0.5}})
+    all.push_back({"isotropic-elastic " + std::to_string(params[1]), &law("isotropic-elastic"), params});
   return all;
 }
 

@@ -55,8 +55,7 @@ bool is_flag(const std::vector<std::string>& words) {
 base::Spec material_spec() {
   std::vector<base::Spec> variants;
   for (const MaterialV1* law : registry()) variants.push_back(law_spec(*law));
-  base::Spec spec("material",
-                  "One fabric, by its energy W per reference volume; it is incompressible and in plane stress.");
+  base::Spec spec("material", "One fabric, by its energy W per reference volume, in plane stress.");
   spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
   spec.variant("type", "Energy of the fabric.", std::move(variants));
   return spec;
