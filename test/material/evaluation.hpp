@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/material/material.hpp"
+#include "toile/material/response.hpp"
 
 namespace toile::material::test {
 
@@ -34,6 +34,13 @@ inline Point evaluate(const MaterialV1& law, const std::vector<double>& params, 
   Point p;
   p.bad = law.evaluate(1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch, nullptr,
                        &p.status);
+  return p;
+}
+
+inline Point evaluate(const Response& response, const std::vector<double>& params, const State& C) {
+  Point p;
+  p.bad =
+      response.evaluate(1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch, &p.status);
   return p;
 }
 
