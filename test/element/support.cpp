@@ -47,11 +47,15 @@ const Law& closed_neo_hookean() {
 std::vector<Law> laws() {
   std::vector<Law> all = {closed_neo_hookean()};
   for (const material::MaterialV1* law : material::registry()) {
+    const auto response = std::make_shared<material::PlainResponse>(*law);
+    if (law->n_sets == 0) {
+      all.push_back({law->name, response, {0.08, 0.3}});
+      continue;
+    }
     const material::ParamSet* const end = law->sets + law->n_sets;
     const auto* set = std::find_if(law->sets, end, [](const auto& s) { return std::string(s.name) == "pantyhose"; });
     if (set == end) throw std::logic_error(std::string(law->name) + " has no set \"pantyhose\"");
-    all.push_back(
-        {law->name, std::make_shared<material::PlainResponse>(*law), {set->values, set->values + law->n_params}});
+    all.push_back({law->name, response, {set->values, set->values + law->n_params}});
   }
   return all;
 }

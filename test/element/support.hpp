@@ -23,7 +23,8 @@ struct Law {
 
 /// Neo-Hookean plane stress with its derivatives written out by hand: does not depend on the registered materials.
 const Law& closed_neo_hookean();
-/// The hand-written law and every registered material with the parameters of the pantyhose fabric.
+/// The hand-written law and every registered material with the parameters of the pantyhose fabric, or with a small
+/// modulus and Poisson's ratio 0.3.
 std::vector<Law> laws();
 
 /// The registered elements with 3 and with 5 unknowns a node.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/material/material.hpp"
+#include "toile/material/response.hpp"
 
 namespace toile::material::test {
 
@@ -34,6 +34,13 @@ inline Point evaluate(const MaterialV1& law, const std::vector<double>& params, 
   Point p;
   p.bad = law.evaluate(1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch, nullptr,
                        &p.status);
+  return p;
+}
+
+inline Point evaluate(const Response& response, const std::vector<double>& params, const State& C) {
+  Point p;
+  p.bad =
+      response.evaluate(1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch, &p.status);
   return p;
 }
 
@@ -71,7 +78,8 @@ struct Case {
   std::vector<double> params;
 };
 
-/// Every material with every published set that it accepts, and every reading of the rebar model.
+/// Every material with every published set that it accepts or with values of this file, and every reading of the rebar
+/// model.
 inline std::vector<Case> cases() {
   std::vector<Case> all;
   for (const MaterialV1* material : registry())
@@ -91,6 +99,8 @@ inline std::vector<Case> cases() {
     }
   const MaterialV1& itskov = law("itskov");
   all.push_back({"itskov swapped", &itskov, with(itskov, values("itskov", "t-shirt"), "swap axes", 1.0)});
+  for (const std::vector<double>& params : {std::vector<double>{0.08, 0.3}, {0.08, -0.4}, {0.08, 0.5}})
+    all.push_back({"isotropic-elastic " + std::to_string(params[1]), &law("isotropic-elastic"), params});
   return all;
 }
 

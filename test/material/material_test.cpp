@@ -5,6 +5,7 @@
 
 #include "evaluation.hpp"
 #include "toile/base/error.hpp"
+#include "toile/material/relaxed_response.hpp"
 
 namespace toile::material::test {
 namespace {
@@ -39,10 +40,11 @@ double value(const Material& material, const std::string& name, double position 
 
 // The registry lists what is built in, in alphabetical order, and finds each by its name.
 TEST(Registry, lists_and_finds) {
-  ASSERT_EQ(registry().size(), 3u);
-  EXPECT_STREQ(registry()[0]->name, "itskov");
-  EXPECT_STREQ(registry()[1]->name, "neo-hookean");
-  EXPECT_STREQ(registry()[2]->name, "rebar");
+  ASSERT_EQ(registry().size(), 4u);
+  EXPECT_STREQ(registry()[0]->name, "isotropic-elastic");
+  EXPECT_STREQ(registry()[1]->name, "itskov");
+  EXPECT_STREQ(registry()[2]->name, "neo-hookean");
+  EXPECT_STREQ(registry()[3]->name, "rebar");
   for (const MaterialV1* material : registry()) {
     EXPECT_EQ(find(material->name), material);
     EXPECT_EQ(material->abi, material_abi);
@@ -131,6 +133,55 @@ TEST(Material, bad_values) {
   list.sublist("modulus");
   EXPECT_THAT(refusal(list), testing::HasSubstr("\"modulus\" is a list"));
   EXPECT_THAT(refusal(entry("rebar", "jeans")), testing::HasSubstr("\"set\" has the unknown value \"jeans\""));
+}
+
+/// Energy of fabric whose wale is stretched and whose course is compressed.
+double compressed_energy(const Material& material) {
+  return evaluate(material.response(), material.params(), {1.5, 0.3, 0.2}).W;
+}
+
+// "compression" picks what elements are told: the law, or its relaxation with the given residual stiffness.
+TEST(Material, compression) {
+  auto list = entry("itskov", "pantyhose");
+  const double full = compressed_energy(make(list));
+  EXPECT_FALSE(make(list).response().relaxes());
+  const Material material = make(list);
+  list.set("compression", "tension field");
+  EXPECT_TRUE(make(list).response().relaxes());
+  const RelaxedResponse relaxed(material.law(), Relaxation::tension_field, 1e-4);
+  EXPECT_EQ(compressed_energy(make(list)), evaluate(relaxed, material.params(), {1.5, 0.3, 0.2}).W);
+  list.set("residual stiffness", 0.05);
+  const double field = compressed_energy(make(list));
+  list.set("compression", "slack fibres");
+  const double fibres = compressed_energy(make(list));
+  EXPECT_LT(field, fibres);
+  EXPECT_LT(fibres, full);
+}
+
+// Slack fibres of a law that has fibres are its own, which carry no compression by default; a scene that turns them on
+// contradicts itself.
+TEST(Material, slack_fibres_of_a_law_with_fibres) {
+  auto list = entry("rebar", "pantyhose");
+  const double full = compressed_energy(make(list));
+  list.set("compression", "slack fibres");
+  EXPECT_FALSE(make(list).response().relaxes());
+  EXPECT_EQ(compressed_energy(make(list)), full);
+  list.set("fibres in compression", "on");
+  EXPECT_EQ(
+      refusal(list),
+      "fabric.xml: material: parameter \"compression\" = \"slack fibres\": contradicts \"fibres in compression\" = "
+      "\"on\": slack fibres carry no compression; set that to off, or \"compression\" to full or tension field");
+  list.set("compression", "tension field");
+  EXPECT_TRUE(make(list).response().relaxes());
+}
+
+// A residual stiffness where nothing is relaxed is refused.
+TEST(Material, residual_stiffness_without_relaxation) {
+  auto list = entry("rebar", "pantyhose");
+  list.set("residual stiffness", 1e-3);
+  EXPECT_THAT(refusal(list), testing::HasSubstr("\"residual stiffness\" = 0.001: nothing is relaxed"));
+  list.set("compression", "slack fibres");
+  EXPECT_THAT(refusal(list), testing::HasSubstr("\"residual stiffness\" = 0.001: nothing is relaxed"));
 }
 
 // Values that do not come from a file are checked as well.

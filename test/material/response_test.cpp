@@ -12,9 +12,7 @@ TEST(Response, plain_is_the_law) {
     EXPECT_EQ(response.n_params(), test.law->n_params);
     for (const State& C : random_states(5, 0.7, 2.0, 31)) {
       const Point p = evaluate(*test.law, test.params, C);
-      Point q;
-      q.bad = response.evaluate(1, C.data(), test.params.data(), 0, &q.W, q.S.data(), q.D.data(), &q.thickness_stretch,
-                                &q.status);
+      const Point q = evaluate(response, test.params, C);
       EXPECT_EQ(q.W, p.W);
       EXPECT_EQ(q.S, p.S);
       EXPECT_EQ(q.D, p.D);

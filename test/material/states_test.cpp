@@ -66,11 +66,13 @@ TEST(States, orthotropic) {
     }
 }
 
-// The fabric keeps its volume: the thickness stretch is 1 over the area stretch.
+// An incompressible fabric keeps its volume: the thickness stretch is 1 over the area stretch.
 TEST(States, thickness) {
-  for (const Case& test : cases())
+  for (const Case& test : cases()) {
+    if (test.law == &law("isotropic-elastic")) continue;
     EXPECT_NEAR(evaluate(*test.law, test.params, {1.44, 2.25, 0.3}).thickness_stretch,
                 1.0 / std::sqrt(1.44 * 2.25 - 0.09), 1e-15);
+  }
 }
 
 // A state that is not admissible is NaN with its status, is counted, and leaves the points beside it alone.

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "toile/base/error.hpp"
-#include "toile/material/response.hpp"
+#include "toile/material/relaxed_response.hpp"
 #include "words.hpp"
 
 namespace toile::material {
@@ -59,6 +59,37 @@ void require_valid(const MaterialV1& law, const std::vector<double>& params, con
   list.fail("set", std::string("parameter \"") + info.name + "\": " + found->text);
 }
 
+int index_of(const MaterialV1& law, const std::string& param) {
+  for (int i = 0; i < law.n_params; ++i)
+    if (param == law.info[i].name) return i;
+  return -1;
+}
+
+/// Whether slack fibres of a law are those that it has; then it has the parameter "fibres in compression" (off: 0).
+bool has_slack_fibres(const MaterialV1& law, const std::vector<double>& params, const base::List& list) {
+  const int fibres = index_of(law, "fibres in compression");
+  if (fibres >= 0 && params[fibres] != 0.0)
+    list.fail("compression",
+              "contradicts \"fibres in compression\" = \"on\": slack fibres carry no compression; set that to off, or "
+              "\"compression\" to full or tension field");
+  return fibres >= 0;
+}
+
+std::shared_ptr<const Response> response_of(const MaterialV1& law, const std::vector<double>& params,
+                                            const base::List& list) {
+  const std::string& compression = list.word("compression");
+  const bool slack = compression == "slack fibres";
+  if (compression == "full" || (slack && has_slack_fibres(law, params, list))) {
+    if (list.given("residual stiffness"))
+      list.fail("residual stiffness",
+                "nothing is relaxed, so no residual stiffness is needed; remove it, or set "
+                "\"compression\" to tension field");
+    return std::make_shared<PlainResponse>(law);
+  }
+  const Relaxation relaxation = slack ? Relaxation::slack_fibres : Relaxation::tension_field;
+  return std::make_shared<RelaxedResponse>(law, relaxation, list.real("residual stiffness"));
+}
+
 double interpolate(const std::vector<std::pair<double, double>>& rows, double position) {
   const auto after = std::upper_bound(rows.begin(), rows.end(), position,
                                       [](double value, const auto& row) { return value < row.first; });
@@ -72,10 +103,7 @@ double interpolate(const std::vector<std::pair<double, double>>& rows, double po
 }  // namespace
 
 Material::Material(const base::List& list)
-    : law_(find(list.word("type"))),
-      name_(list.name()),
-      thickness_(list.real("thickness")),
-      response_(std::make_shared<PlainResponse>(*law_)) {
+    : law_(find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
   const ParamSet* set = named_set(*law_, list);
   for (int i = 0; i < law_->n_params; ++i) {
     const ParamInfo& info = law_->info[i];
@@ -89,6 +117,7 @@ Material::Material(const base::List& list)
     }
     if (std::isnan(params_.back())) fail_missing(*law_, info, list);
   }
+  response_ = response_of(*law_, params_, list);
   // The laws' conditions are linear in the parameters and the tables are piecewise linear: their rows decide.
   std::vector<double> positions = {0.0};
   for (const Table& table : tables_)
@@ -96,12 +125,10 @@ Material::Material(const base::List& list)
   for (double position : positions) require_valid(*law_, params_at(position), list);
 }
 
-Material::Material(const MaterialV1& law, std::vector<double> params, double thickness)
-    : law_(&law),
-      name_(law.name),
-      thickness_(thickness),
-      params_(std::move(params)),
-      response_(std::make_shared<PlainResponse>(law)) {
+Material::Material(const MaterialV1& law, std::vector<double> params, double thickness,
+                   std::shared_ptr<const Response> response)
+    : law_(&law), name_(law.name), thickness_(thickness), params_(std::move(params)), response_(std::move(response)) {
+  if (!response_) response_ = std::make_shared<PlainResponse>(law);
   if (static_cast<int>(params_.size()) != law.n_params)
     throw base::InputError("Material \"" + name_ + "\" has " + std::to_string(law.n_params) + " parameters, not " +
                            std::to_string(params_.size()));

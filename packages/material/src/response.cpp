@@ -1,8 +1,14 @@
 #include "toile/material/response.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace toile::material {
+
+void Response::wrinkles(int n, const double*, const double*, int, WrinkleState* state, double* direction) const {
+  std::fill_n(state, n, WrinkleState::taut);
+  std::fill_n(direction, 2 * static_cast<std::ptrdiff_t>(n), 0.0);
+}
 
 double PlainResponse::natural_shear_modulus(const double* params) const {
   constexpr std::array<double, 3> natural = {1.0, 1.0, 0.0};

@@ -55,9 +55,18 @@ bool is_flag(const std::vector<std::string>& words) {
 base::Spec material_spec() {
   std::vector<base::Spec> variants;
   for (const MaterialV1* law : registry()) variants.push_back(law_spec(*law));
-  base::Spec spec("material",
-                  "One fabric, by its energy W per reference volume; it is incompressible and in plane stress.");
+  base::Spec spec("material", "One fabric, by its energy W per reference volume, in plane stress.");
   spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
+  spec.choice("compression",
+              "What compressed fabric does. full: it carries what its law says. tension field: it wrinkles and carries "
+              "tension only (energy relaxed over any wrinkle strain). slack fibres: its yarns, along wale and course, "
+              "carry no compression; in a law with fibres of its own (\"fibres in compression\" = off) that is full "
+              "already, in any other the energy is relaxed over shortening along the two axes.",
+              {"full", "slack fibres", "tension field"}, std::string("full"));
+  spec.real("residual stiffness", "",
+            "Stiffness of wrinkled and slack fabric that keeps the solution unique, as a part of the stiffness of the "
+            "undeformed fabric. Only where compression is relaxed.",
+            1e-4, base::Range{0.0, 0.1, true, false});
   spec.variant("type", "Energy of the fabric.", std::move(variants));
   return spec;
 }

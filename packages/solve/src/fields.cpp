@@ -46,9 +46,10 @@ struct PointMean {
     values[stress_shear] += weight * S[2];
     values[cauchy_major] += weight * f.cauchy_principal[2 * point];
     values[cauchy_minor] += weight * f.cauchy_principal[2 * point + 1];
-    // Tension along the deformed yarns: h e.sigma.e with e = F N / |F N| and sigma = F S F^T (det F = 1).
-    values[tension_wale] += weight * h * (C[0] * C[0] * S[0] + 2.0 * C[0] * C[2] * S[2] + C[2] * C[2] * S[1]) / C[0];
-    values[tension_course] += weight * h * (C[1] * C[1] * S[1] + 2.0 * C[1] * C[2] * S[2] + C[2] * C[2] * S[0]) / C[1];
+    // Tension along the deformed yarns: h e.sigma.e = h0 e.F S F^T.e / area stretch, with e = F N / |F N|.
+    const double force = weight * h0 / std::sqrt(C[0] * C[1] - C[2] * C[2]);
+    values[tension_wale] += force * (C[0] * C[0] * S[0] + 2.0 * C[0] * C[2] * S[2] + C[2] * C[2] * S[1]) / C[0];
+    values[tension_course] += force * (C[1] * C[1] * S[1] + 2.0 * C[1] * C[2] * S[2] + C[2] * C[2] * S[0]) / C[1];
     values[energy_density] += weight * f.energy_density[point];
     values[thickness] += weight * h;
     values[extrapolated] = std::max(values[extrapolated], f.status[point] == material::point_extrapolated ? 1.0 : 0.0);

@@ -101,6 +101,9 @@ Fad<S, N> chain(const Fad<S, N>& x, const std::array<base_type<S>, K>& f, int or
 inline double reciprocal(double x) {
   return 1.0 / x;
 }
+inline Lane reciprocal(Lane x) {
+  return 1.0 / x;
+}
 template <class S, int N>
 Fad<S, N> reciprocal(const Fad<S, N>& x) {
   const base_type<S> r = 1.0 / base_value(x);

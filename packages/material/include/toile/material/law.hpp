@@ -12,14 +12,16 @@
 ///   static constexpr const char *name, *text;
 ///   static constexpr std::array<ParamInfo, n> info;          every parameter: name, unit, text, default, range
 ///   template <class T, class P> static T energy(const PlaneC<T>& c, const Params<P>& p);
-/// and, if wanted, `static constexpr std::array<ParamSet, m> sets` and `static int check(const double*, char*, int)`.
+/// and, if wanted, `static constexpr std::array<ParamSet, m> sets`, `static int check(const double*, char*, int)` and
+///   template <class T, class P> static T thickness_stretch(const PlaneC<T>& c, const Params<P>& p);   h/h0, if the
+/// material is not incompressible.
 /// `energy` is written once, without `if` on a T (use where()) and with power(), log(), sqrt(), reciprocal() of
 /// variables (not of expressions); keep intermediate results in variables of type T or P, never in `auto`.
 /// make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
 namespace toile::material {
 
 /// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:
-/// C33 = 1 / (C11 C22 - C12^2) (DESIGN, "Incompressible plane stress").
+/// C33 = 1 / (C11 C22 - C12^2) (DESIGN, "Incompressible plane stress"). A compressible law does not use C33 and cof.
 template <class T>
 struct PlaneC {
   T C11, C22, C12;
@@ -167,6 +169,19 @@ inline int store_status(const Block& block, LaneMask extrapolated, std::uint8_t*
   return bad;
 }
 
+template <class Law, class = void>
+struct Thickness {
+  static Lane stretch(const Block& block, const Params<Lane>&) {
+    return 1.0 / sqrt(block.C[0] * block.C[1] - block.C[2] * block.C[2]);
+  }
+};
+template <class Law>
+struct Thickness<Law, std::void_t<decltype(&Law::template thickness_stretch<Lane, Lane>)>> {
+  static Lane stretch(const Block& block, const Params<Lane>& params) {
+    return Law::thickness_stretch(PlaneC<Lane>(block.C[0], block.C[1], block.C[2]), params);
+  }
+};
+
 /// MaterialV1::evaluate of `Law`.
 template <class Law>
 int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
@@ -182,8 +197,7 @@ int evaluate(int n, const double* C, const double* params, int param_stride, dou
     const LaneMask extrapolated = D ? evaluate_block<Hessian, Law>(n, block, law_params, W, S, D)
                                     : evaluate_block<Gradient, Law>(n, block, law_params, W, S, nullptr);
     if (dSdp) evaluate_sensitivity<Law>(n, block, values, law_params, dSdp);
-    const Lane det = block.C[0] * block.C[1] - block.C[2] * block.C[2];
-    store(block, 1.0 / sqrt(det), thickness_stretch);
+    store(block, Thickness<Law>::stretch(block, law_params), thickness_stretch);
     bad += store_status(block, extrapolated, status);
   }
   return bad;

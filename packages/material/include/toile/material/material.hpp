@@ -73,7 +73,7 @@ const MaterialV1* find(const std::string& name);
 
 /// Description of a "Material" list: selector "type" with one variant a registered material; every parameter of every
 /// material that is a number may be a table along the panel. "set" fills the parameters from a published set. Also
-/// holds "thickness" (mm, default 1).
+/// holds "thickness" (mm, default 1), "compression" and "residual stiffness" (see RelaxedResponse).
 base::Spec material_spec();
 
 class Response;
@@ -85,8 +85,10 @@ class Material {
   /// the values violate a condition of the material. A graduated material is checked at every position where one of its
   /// tables has a row.
   explicit Material(const base::List& list);
-  /// Uniform; `params` [n_params]. Throws InputError if they violate a condition of the material.
-  Material(const MaterialV1& law, std::vector<double> params, double thickness = 1.0);
+  /// Uniform; `params` [n_params]; `response`: one derived from `law`, null: the law as it is. Throws InputError if the
+  /// parameters violate a condition of the material.
+  Material(const MaterialV1& law, std::vector<double> params, double thickness = 1.0,
+           std::shared_ptr<const Response> response = nullptr);
 
   const MaterialV1& law() const { return *law_; }
   /// What elements ask. Copies of this material share it.

@@ -6,7 +6,9 @@
 
 namespace toile::material {
 
-/// What an element asks of a fabric: the energy of its law, or one derived from it (see PlainResponse).
+enum class WrinkleState : std::uint8_t { taut = 0, wrinkled = 1, slack = 2 };
+
+/// What an element asks of a fabric: the energy of its law, or one derived from it (PlainResponse, RelaxedResponse).
 ///
 /// Thread-safe, never throws. All arrays have the layouts of MaterialV1; params are [n_params][n] with param_stride = 1
 /// or [n_params] with param_stride = 0.
@@ -21,6 +23,13 @@ class Response {
                        double* thickness_stretch, std::uint8_t* status) const = 0;
   /// Shear modulus D33 (MPa) of the law itself in its natural state C = I, for `params` [n_params].
   virtual double natural_shear_modulus(const double* params) const = 0;
+
+  /// Whether fabric wrinkles instead of carrying compression. If not, it is taut everywhere.
+  virtual bool relaxes() const { return false; }
+  /// state [n] and direction [2][n] of the wrinkles' crests in the material frame: a unit vector of the reference,
+  /// zero where the fabric is not wrinkled (slack fabric has no direction) or not admissible.
+  virtual void wrinkles(int n, const double* C, const double* params, int param_stride, WrinkleState* state,
+                        double* direction) const;
 };
 
 /// A law as it is: one call of its function.
