@@ -19,8 +19,8 @@ struct Batch {
   double thickness = 1.0;  ///< h0, mm
 
   // Of shells only.
-  /// [n][nodes][9] orthonormal frame of each node at the start of the step: tangents t_1, t_2 and the director d_n. With
-  /// the node's last two unknowns w (rotations since the start of the step), d = Exp(d_n, w_1 t_1 + w_2 t_2).
+  /// [n][nodes][9] orthonormal frame of each node at the start of the step: tangents t_1, t_2 and the director d_n.
+  /// With the node's last two unknowns w (rotations since the start of the step), d = Exp(d_n, w_1 t_1 + w_2 t_2).
   const double* frames = nullptr;
   /// [n][nodes][6] stress-free position (mm) and unit director of a curved reference; null: the flat pattern.
   const double* reference = nullptr;
