@@ -67,11 +67,10 @@ class Shell final : public Element {
   using State = ShellState<Nodes, Points, ShearPoints>;
 
   struct Chunk {
-    int count = 0;  ///< elements
     Layers layers;
     double half_thickness;
     std::array<State, largest_chunk> state;
-    Response response;  ///< [count][Points][layers]
+    Response response;  ///< [elements][Points][layers]
 
     int per_element() const { return Points * layers.n; }
     double height(int layer) const { return half_thickness * layers.place[layer]; }
@@ -80,8 +79,8 @@ class Shell final : public Element {
   static int chunk_size(const Layers& layers) { return std::min(largest_chunk, chunk_points / (Points * layers.n)); }
   /// The chunk of the calling thread, filled with the elements [first, first + count). `frozen`: of the whole batch;
   /// null: undeformed thickness.
-  Chunk& fill(const Batch& batch, const Layers& layers, const double* frozen, int first, int count,
-              bool with_tangent) const;
+  const Chunk& fill(const Batch& batch, const Layers& layers, const double* frozen, int first, int count,
+                    bool with_tangent) const;
   /// Worst status of the element's layers.
   static std::uint8_t status(const Chunk& chunk, int k);
   void evaluate_element(const Batch& batch, const Chunk& chunk, int k, std::ptrdiff_t e, const Result& result) const;
@@ -99,9 +98,8 @@ class Shell final : public Element {
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 auto Shell<Nodes, Edges, Points, ShearPoints, Control>::fill(const Batch& batch, const Layers& layers,
                                                              const double* frozen, int first, int count,
-                                                             bool with_tangent) const -> Chunk& {
+                                                             bool with_tangent) const -> const Chunk& {
   thread_local Chunk chunk;
-  chunk.count = count;
   chunk.layers = layers;
   chunk.half_thickness = 0.5 * batch.thickness;
   chunk.response.resize(count * chunk.per_element());
