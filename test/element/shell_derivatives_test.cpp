@@ -131,13 +131,7 @@ TEST_P(ShellDerivatives, RigidMotionIsObjective) {
 TEST_P(ShellDerivatives, FramesAreOnlyCoordinates) {
   for (const Arrays& elements : cases()) {
     Arrays carried = elements;
-    for (std::size_t node = 0; node < carried.x.size() / 5; ++node) {
-      Eigen::Map<Eigen::Vector2d> w(&carried.x[5 * node + 3]);
-      Eigen::Map<Eigen::Matrix3d> frame(&carried.frames[9 * node]);
-      const Eigen::Vector3d axis = w[0] * frame.col(1) - w[1] * frame.col(0);
-      frame = (Eigen::AngleAxisd(axis.norm(), axis.normalized()) * frame).eval();
-      w.setZero();
-    }
+    carry_frames(carried);
     const Values before = evaluate(elements), after = evaluate(carried);
     EXPECT_LT((after.energy - before.energy).cwiseAbs().maxCoeff(), 1e-11 * before.energy.cwiseAbs().maxCoeff());
     const double force = largest(before.residual, false, false);

@@ -32,6 +32,16 @@ void freeze(Arrays& shells) {
   shells.element->freeze(shells.batch(), shells.frozen.data());
 }
 
+void carry_frames(Arrays& shells) {
+  for (std::size_t node = 0; node < shells.x.size() / 5; ++node) {
+    Eigen::Map<Eigen::Vector2d> w(&shells.x[5 * node + 3]);
+    Eigen::Map<Eigen::Matrix3d> frame(&shells.frames[9 * node]);
+    const Eigen::Vector3d axis = w[0] * frame.col(1) - w[1] * frame.col(0);
+    frame = (Eigen::AngleAxisd(axis.norm(), axis.normalized()) * frame).eval();
+    w.setZero();
+  }
+}
+
 Arrays random_shells(const Element& element, const Law& law, int n, unsigned seed, bool curved) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

@@ -9,6 +9,9 @@ namespace toile::element::testing {
 /// Writes the frozen values of the present state.
 void freeze(Arrays& shells);
 
+/// Carries the frames to the present directors (parallel transport) and sets the rotations to zero, as between steps.
+void carry_frames(Arrays& shells);
+
 /// `n` distorted shells of about 10 mm, stretched by about 1.3 and 1.2 and bent, in a random pose, in random frames,
 /// with rotations of about 0.3; the reference is flat, or a saddle with directors near its normals. Frozen as they are.
 Arrays random_shells(const Element& element, const Law& law, int n, unsigned seed, bool curved);

@@ -13,7 +13,7 @@
 #include "layers.hpp"
 #include "principal_stress.hpp"
 #include "point_response.hpp"
-#include "shell_point.hpp"
+#include "shell_state.hpp"
 #include "toile/element/element.hpp"
 
 namespace toile::element {
@@ -64,18 +64,13 @@ class Shell final : public Element {
   static constexpr bool stabilised = Control::frozen_values > 0;
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-  struct State {
-    ShellNodes<Nodes> nodes;
-    ShellPoint<Nodes> point[Points];
-    ReferencePoint<Nodes> shear_point[ShearPoints];
-    bool folded;  ///< pattern or reference
-  };
+  using State = ShellState<Nodes, Points, ShearPoints>;
+
   struct Chunk {
-    int count = 0;  ///< elements
     Layers layers;
     double half_thickness;
     std::array<State, largest_chunk> state;
-    PointResponse response;  ///< [count][Points][layers]
+    PointResponse response;  ///< [elements][Points][layers]
 
     int per_element() const { return Points * layers.n; }
     double height(int layer) const { return half_thickness * layers.place[layer]; }
@@ -84,9 +79,8 @@ class Shell final : public Element {
   static int chunk_size(const Layers& layers) { return std::min(largest_chunk, chunk_points / (Points * layers.n)); }
   /// The chunk of the calling thread, filled with the elements [first, first + count). `frozen`: of the whole batch;
   /// null: undeformed thickness.
-  Chunk& fill(const Batch& batch, const Layers& layers, const double* frozen, int first, int count,
-              bool with_tangent) const;
-  void set_reference(const Batch& batch, std::ptrdiff_t e, State& state) const;
+  const Chunk& fill(const Batch& batch, const Layers& layers, const double* frozen, int first, int count,
+                    bool with_tangent) const;
   /// Worst status of the element's layers.
   static std::uint8_t status(const Chunk& chunk, int k);
   void evaluate_element(const Batch& batch, const Chunk& chunk, int k, std::ptrdiff_t e, const Result& result) const;
@@ -102,33 +96,10 @@ class Shell final : public Element {
 };
 
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
-void Shell<Nodes, Edges, Points, ShearPoints, Control>::set_reference(const Batch& batch, std::ptrdiff_t e,
-                                                                      State& state) const {
-  const double cosine = std::cos(batch.wale_angle[e]), sine = std::sin(batch.wale_angle[e]);
-  const auto& [rule, shear_rule, sampling] = formulation_;
-  state.nodes.set_reference(batch, e);
-  state.folded = false;
-  for (int p = 0; p < ShearPoints; ++p) {
-    state.shear_point[p].set(state.nodes, shear_rule.dN[p], shear_rule.weight[p], cosine, sine);
-    state.folded = state.folded || !(state.shear_point[p].area > 0.0);
-  }
-  for (int p = 0; p < Points; ++p) {
-    if constexpr (Points == ShearPoints) {  // full integration: the same points
-      state.point[p].reference = state.shear_point[p];
-    } else {
-      state.point[p].reference.set(state.nodes, rule.dN[p], rule.weight[p], cosine, sine);
-      state.folded = state.folded || !(state.point[p].reference.area > 0.0);
-    }
-    state.point[p].set_curvature(state.nodes);
-  }
-}
-
-template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 auto Shell<Nodes, Edges, Points, ShearPoints, Control>::fill(const Batch& batch, const Layers& layers,
                                                              const double* frozen, int first, int count,
-                                                             bool with_tangent) const -> Chunk& {
+                                                             bool with_tangent) const -> const Chunk& {
   thread_local Chunk chunk;
-  chunk.count = count;
   chunk.layers = layers;
   chunk.half_thickness = 0.5 * batch.thickness;
   chunk.response.resize(count * chunk.per_element());
@@ -136,7 +107,7 @@ auto Shell<Nodes, Edges, Points, ShearPoints, Control>::fill(const Batch& batch,
   for (int k = 0; k < count; ++k) {
     const std::ptrdiff_t e = first + k;
     State& state = chunk.state[k];
-    set_reference(batch, e, state);
+    state.set_reference(batch, e, formulation_.rule, formulation_.shear_rule);
     state.nodes.set_positions(batch, e);
     state.nodes.set_directors(batch, e);
     for (int p = 0; p < Points; ++p) {
@@ -324,7 +295,7 @@ template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 void Shell<Nodes, Edges, Points, ShearPoints, Control>::nodal_areas(const Batch& batch, double* areas) const {
   for (std::ptrdiff_t e = 0; e < batch.n; ++e) {
     State state;
-    set_reference(batch, e, state);
+    state.set_reference(batch, e, formulation_.rule, formulation_.shear_rule);
     state.nodes.set_positions(batch, e);
     std::fill_n(areas + e * Nodes, Nodes, 0.0);
     for (int p = 0; p < ShearPoints; ++p) {
@@ -341,7 +312,7 @@ template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 void Shell<Nodes, Edges, Points, ShearPoints, Control>::reference_areas(const Batch& batch, double* areas) const {
   for (std::ptrdiff_t e = 0; e < batch.n; ++e) {
     State state;
-    set_reference(batch, e, state);
+    state.set_reference(batch, e, formulation_.rule, formulation_.shear_rule);
     std::fill_n(areas + e * Nodes, Nodes, 0.0);
     for (int p = 0; p < ShearPoints; ++p) {
       const double area = state.shear_point[p].area;
