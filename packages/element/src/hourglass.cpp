@@ -8,6 +8,10 @@ namespace {
 
 constexpr double mode[4] = {1.0, -1.0, 1.0, -1.0};
 constexpr double smallest_share = 0.01;
+/// Of the membrane's hourglass energy. All of it locks a curved mesh, where bending without stretch meets the assumed
+/// strain: on the hemisphere of Sze, Liu and Lo with 16 x 16 elements the displacements are 2 % too small, with a fifth
+/// within 0.2 %; both converge to the same.
+constexpr double membrane_share = 0.2;
 
 /// Uniaxial moduli of plane stress along the two axes from D in the order 11, 22, 33, 12, 13, 23; zero if not positive.
 void uniaxial_moduli(const double (&D)[6], double (&modulus)[2]) {
@@ -58,8 +62,9 @@ void Hourglass::set_reference(const ShellNodes<4>& nodes, const ReferencePoint<4
 
   const double bending = thickness * thickness / 12.0;
   for (int a = 0; a < 2; ++a) {
-    stiffness_[a] = thickness * frozen[a] * H[a];
-    bending_[a] = bending * stiffness_[a];
+    const double stiffness = thickness * frozen[a] * H[a];
+    stiffness_[a] = membrane_share * stiffness;
+    bending_[a] = bending * stiffness;
   }
   geometric_ = thickness * (H[0] * frozen[2] + H[1] * frozen[3] + 2.0 * H[2] * frozen[4]);
   geometric_bending_ = bending * geometric_;
