@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "support.hpp"
+#include "toile/material/relaxed_response.hpp"
 
 namespace toile::element::testing {
 namespace {
@@ -99,6 +100,30 @@ TEST_P(MembraneInterface, FieldsOfUniaxialStretchAreExact) {
     EXPECT_NEAR(fields.thickness_stretch[k], lateral, 1e-13);
     EXPECT_NEAR(fields.energy_density[k], C10 * (l * l + 2.0 / l - 3.0), 1e-14);
     EXPECT_EQ(fields.status[k], material::point_ok);
+  }
+}
+
+// Elements of fabric with its course at half length wrinkle along the wale, which stands at 1 radian to the pattern and
+// is turned in space; the same fabric without relaxation has no wrinkles to write.
+TEST_P(MembraneInterface, CrestsOfWrinklesRunAlongTheTension) {
+  const Eigen::Vector3d along(0.6, 0.0, 0.8), across(0.0, 1.0, 0.0);
+  const double angle = 1.0, c = std::cos(angle), s = std::sin(angle);
+  for (int e = 0; e < elements_.size(); ++e) elements_.wale_angle[e] = angle;
+  for (std::size_t k = 0; k < elements_.x.size() / 3; ++k) {
+    const double X = elements_.pattern[2 * k], Y = elements_.pattern[2 * k + 1];
+    Eigen::Map<Eigen::Vector3d> x(elements_.x.data() + 3 * k);
+    x = 1.4 * (c * X + s * Y) * along + 0.5 * (c * Y - s * X) * across;
+  }
+  EXPECT_TRUE(GetParam()->fields(elements_.batch()).wrinkle_state.empty());
+  const auto& law = *material::find("neo-hookean");
+  elements_.law.response = std::make_shared<material::RelaxedResponse>(law, material::Relaxation::tension_field, 1e-4);
+  const PointFields fields = GetParam()->fields(elements_.batch());
+  EXPECT_THAT(fields.wrinkle_state, ::testing::Each(material::WrinkleState::wrinkled));
+  ASSERT_EQ(fields.wrinkle_state.size(), static_cast<std::size_t>(elements_.size()) * GetParam()->points());
+  for (std::size_t k = 0; k < fields.wrinkle_state.size(); ++k) {
+    const Eigen::Map<const Eigen::Vector3d> crest(fields.wrinkle_crest.data() + 3 * k);
+    EXPECT_NEAR(std::abs(crest.dot(along)), 1.0, 1e-12);
+    EXPECT_NEAR(crest.norm(), 1.0, 1e-14);
   }
 }
 

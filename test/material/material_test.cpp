@@ -86,6 +86,19 @@ TEST(Material, defaults_and_missing_parameters) {
   EXPECT_EQ(value(material, "calibrated strain"), 1.0);
 }
 
+// A law without published sets needs all its parameters, as numbers or tables.
+TEST(Material, law_without_sets) {
+  Teuchos::ParameterList list;
+  list.set("type", std::string("isotropic-elastic"));
+  list.set("Young's modulus", 3.0);
+  EXPECT_THAT(refusal(list), testing::HasSubstr("missing parameter \"Poisson's ratio\""));
+  auto& table = list.sublist("Poisson's ratio");
+  table.set("position", array({0.0, 1.0}));
+  table.set("value", array({0.1, 0.3}));
+  EXPECT_NEAR(value(make(list), "Poisson's ratio", 0.5), 0.2, 1e-15);
+  EXPECT_EQ(value(make(list), "Young's modulus", 0.5), 3.0);
+}
+
 // A parameter may be a table along the panel: linear between its rows, constant beyond its ends.
 TEST(Material, graduated) {
   auto list = entry("neo-hookean", "none");

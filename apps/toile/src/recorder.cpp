@@ -17,9 +17,9 @@ namespace toile::app {
 
 namespace {
 
-/// Units of solve::element_field_names(), in their order.
-const std::vector<std::string> element_units = {"",    "",    "",     "",     "MPa", "MPa", "MPa",
-                                                "MPa", "MPa", "N/mm", "N/mm", "MPa", "mm",  ""};
+/// Units of solve::element_field_names(problem), in their order.
+const std::vector<std::string> element_units = {"",     "",     "",    "",   "MPa", "MPa", "MPa", "MPa", "MPa",
+                                                "N/mm", "N/mm", "MPa", "mm", "",    "",    "",    "",    ""};
 
 const std::vector<result::FieldName> global_names = {{"load", ""},
                                                      {"seam_closing", ""},
@@ -53,13 +53,13 @@ std::vector<double> global_values(const solve::StepReport& r) {
           r.seconds};
 }
 
-result::FieldNames field_names(bool with_body) {
+result::FieldNames field_names(const solve::Problem& problem, bool with_body) {
   result::FieldNames names;
   if (with_body)
     names.nodal = {{"pressure", "kPa"}, {"gap", "mm"}, {"normal_x", ""}, {"normal_y", ""}, {"normal_z", ""}};
   names.nodal.push_back({"area", "mm^2"});
-  for (size_t i = 0; i < solve::element_field_names().size(); ++i)
-    names.element.push_back({solve::element_field_names()[i], element_units[i]});
+  const std::vector<std::string> element_names = solve::element_field_names(problem);
+  for (size_t i = 0; i < element_names.size(); ++i) names.element.push_back({element_names[i], element_units[i]});
   names.global = global_names;
   return names;
 }
@@ -72,8 +72,9 @@ std::vector<double> concatenate(const solve::Fields& fields, size_t field) {
 }
 
 std::vector<double> element_field(const solve::Fields& fields, const std::string& name) {
-  const auto& names = solve::element_field_names();
-  return concatenate(fields, static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+  const auto& block = fields.element.at(0);
+  const auto field = std::find_if(block.begin(), block.end(), [&](const auto& f) { return f.name == name; });
+  return concatenate(fields, static_cast<size_t>(field - block.begin()));
 }
 
 /// [element] true where some nodes are held by a support and others are not.
@@ -114,8 +115,9 @@ void Recorder::open_files() {
       std::filesystem::remove(folder_ + "/" + plot + ending);
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
-  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
-                                                   with_body ? &body_ : nullptr, field_names(with_body));
+  exodus_ =
+      std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
+                                             with_body ? &body_ : nullptr, field_names(scene_.problem(), with_body));
   history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names);
 }
 
@@ -152,8 +154,8 @@ void Recorder::write_exodus(const solve::StepReport& report) {
     data.body_nodal["pressure"] = result::map_to_body(scene_.garment().mesh, fields_.position, kpa, fields_.gap, body_);
     data.nodal["pressure"] = std::move(kpa);
   }
-  for (size_t f = 0; f < solve::element_field_names().size(); ++f)
-    data.element[solve::element_field_names()[f]] = concatenate(fields_, f);
+  for (size_t f = 0; f < fields_.element.at(0).size(); ++f)
+    data.element[fields_.element[0][f].name] = concatenate(fields_, f);
   const std::vector<double> globals = global_values(report);
   for (size_t g = 0; g < globals.size(); ++g) data.global[global_names[g].name] = globals[g];
   exodus_->write_step(report.step, data);

@@ -61,7 +61,13 @@ class Membrane final : public Element {
   const Chunk& fill(const Batch& batch, int first, int count, bool with_tangent) const;
   void kinematics(const Batch& batch, int first, int count, Chunk& chunk) const;
   static void spread_params(const Batch& batch, int first, Chunk& chunk);
+  static const double* params_of(const Batch& batch, const Chunk& chunk) {
+    return batch.graduated ? chunk.params.data() : batch.params;
+  }
   static void respond(const Batch& batch, int first, bool with_tangent, Chunk& chunk);
+
+  /// Appends the wrinkles of the chunk's points.
+  static void add_wrinkles(const Batch& batch, const Chunk& chunk, PointFields& out);
 
   static double energy(const Chunk& chunk, int begin);
   static void residual(const Chunk& chunk, int begin, double thickness, double* result);
@@ -124,9 +130,8 @@ void Membrane<Nodes, Points>::spread_params(const Batch& batch, int first, Chunk
 template <int Nodes, int Points>
 void Membrane<Nodes, Points>::respond(const Batch& batch, int first, bool with_tangent, Chunk& chunk) {
   if (batch.graduated) spread_params(batch, first, chunk);
-  const double* params = batch.graduated ? chunk.params.data() : batch.params;
-  batch.response->evaluate(chunk.n, chunk.C.data(), params, batch.graduated ? 1 : 0, chunk.W.data(), chunk.S.data(),
-                           with_tangent ? chunk.D.data() : nullptr, chunk.thickness_stretch.data(),
+  batch.response->evaluate(chunk.n, chunk.C.data(), params_of(batch, chunk), batch.graduated ? 1 : 0, chunk.W.data(),
+                           chunk.S.data(), with_tangent ? chunk.D.data() : nullptr, chunk.thickness_stretch.data(),
                            chunk.status.data());
   for (int k = 0; k < chunk.n; ++k) {
     if (!(chunk.point[k].area > 0.0)) chunk.status[k] = material::point_not_admissible;
@@ -214,8 +219,27 @@ PointFields Membrane<Nodes, Points>::fields(const Batch& batch) const {
       std::copy_n(S, 3, &out.S[3 * at]);
       std::copy_n(principal.data(), 2, &out.cauchy_principal[2 * at]);
     }
+    if (batch.response->relaxes()) add_wrinkles(batch, chunk, out);
   }
   return out;
+}
+
+template <int Nodes, int Points>
+void Membrane<Nodes, Points>::add_wrinkles(const Batch& batch, const Chunk& chunk, PointFields& out) {
+  std::array<material::WrinkleState, chunk_points> state;
+  std::array<double, 2 * chunk_points> direction;
+  batch.response->wrinkles(chunk.n, chunk.C.data(), params_of(batch, chunk), batch.graduated ? 1 : 0, state.data(),
+                           direction.data());
+  for (int k = 0; k < chunk.n; ++k) {
+    out.wrinkle_state.push_back(state[k]);
+    const auto& a = chunk.point[k].a;
+    double crest[3], squared = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      crest[i] = direction[k] * a[0][i] + direction[chunk.n + k] * a[1][i];
+      squared += crest[i] * crest[i];
+    }
+    for (const double value : crest) out.wrinkle_crest.push_back(squared > 0.0 ? value / std::sqrt(squared) : 0.0);
+  }
 }
 
 template <int Nodes, int Points>

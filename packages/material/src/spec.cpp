@@ -10,7 +10,7 @@ base::Range range_of(const ParamInfo& info) {
   return {info.lower, info.upper, info.lower_open != 0, false};
 }
 
-void add_parameter(base::Spec& spec, const ParamInfo& info) {
+void add_parameter(base::Spec& spec, const ParamInfo& info, bool has_sets) {
   const std::vector<std::string> words = words_of(info);
   if (is_flag(words)) {
     spec.flag(info.name, info.text, info.fallback != 0.0);
@@ -18,7 +18,9 @@ void add_parameter(base::Spec& spec, const ParamInfo& info) {
     spec.choice(info.name, info.text, words, words[static_cast<std::size_t>(info.fallback)]);
   } else {
     base::Parameter parameter{info.name, base::Type::real, info.unit, info.text, info.fallback, range_of(info)};
-    if (info.fallback != info.fallback) parameter.text += " To be given, unless 'set' names a published set.";
+    const bool must_be_given = info.fallback != info.fallback;
+    if (must_be_given && has_sets) parameter.text += " To be given, unless 'set' names a published set.";
+    if (must_be_given && !has_sets) parameter.fallback = base::required;
     parameter.may_table = true;
     spec.add(parameter);
   }
@@ -35,7 +37,7 @@ base::Spec law_spec(const MaterialV1& law) {
     }
     spec.choice("set", text + '.', names, std::string("none"));
   }
-  for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i]);
+  for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i], law.n_sets > 0);
   return spec;
 }
 

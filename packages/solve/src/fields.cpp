@@ -25,6 +25,10 @@ enum ElementField {
   energy_density,
   thickness,
   extrapolated,
+  wrinkle_state,
+  wrinkle_x,
+  wrinkle_y,
+  wrinkle_z,
   field_count
 };
 
@@ -53,6 +57,22 @@ struct PointMean {
     values[energy_density] += weight * f.energy_density[point];
     values[thickness] += weight * h;
     values[extrapolated] = std::max(values[extrapolated], f.status[point] == material::point_extrapolated ? 1.0 : 0.0);
+    if (!f.wrinkle_state.empty()) add_wrinkles(f, point);
+  }
+
+  /// The state that is furthest from taut, and the sum of the crests, each turned to the same side as the others.
+  void add_wrinkles(const element::PointFields& f, size_t point) {
+    values[wrinkle_state] = std::max(values[wrinkle_state], static_cast<double>(f.wrinkle_state[point]));
+    double* sum = &values[wrinkle_x];
+    const double* crest = &f.wrinkle_crest[3 * point];
+    const double sign = sum[0] * crest[0] + sum[1] * crest[1] + sum[2] * crest[2] < 0.0 ? -1.0 : 1.0;
+    for (int d = 0; d < 3; ++d) sum[d] += sign * crest[d];
+  }
+
+  void normalise_crest() {
+    double* sum = &values[wrinkle_x];
+    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    for (int d = 0; d < 3 && length > 0.0; ++d) sum[d] /= length;
   }
 };
 
@@ -118,7 +138,7 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
   const element::PointFields points = law.element->fields(arrays.batch);
   const size_t per = static_cast<size_t>(law.element->points());
   std::vector<NamedField> fields;
-  for (const std::string& name : element_field_names())
+  for (const std::string& name : element_field_names(problem))
     fields.push_back({name, std::vector<double>(static_cast<size_t>(block.size()))});
   for (size_t e = 0; e < static_cast<size_t>(block.size()); ++e) {
     PointMean mean;
@@ -127,7 +147,8 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
       out.smallest_principal_stress =
           std::min(out.smallest_principal_stress, points.cauchy_principal[2 * (e * per + q) + 1]);
     }
-    for (size_t k = 0; k < field_count; ++k) fields[k].values[e] = mean.values[k];
+    mean.normalise_crest();
+    for (size_t k = 0; k < fields.size(); ++k) fields[k].values[e] = mean.values[k];
     const double fibre = std::max(mean.values[stretch_wale], mean.values[stretch_course]);
     if (mean.values[extrapolated] > 0.0 && fibre > out.largest_extrapolation) {
       out.largest_extrapolation = fibre;
@@ -152,11 +173,14 @@ void add_contact(const Problem& problem, const State& state, Fields& out) {
 
 }  // namespace
 
-const std::vector<std::string>& element_field_names() {
-  static const std::vector<std::string> names = {"stretch_wale", "stretch_course", "stretch_major",  "stretch_minor",
-                                                 "stress_wale",  "stress_course",  "stress_shear",   "cauchy_major",
-                                                 "cauchy_minor", "tension_wale",   "tension_course", "energy_density",
-                                                 "thickness",    "extrapolated"};
+std::vector<std::string> element_field_names(const Problem& problem) {
+  std::vector<std::string> names = {"stretch_wale", "stretch_course", "stretch_major",  "stretch_minor",
+                                    "stress_wale",  "stress_course",  "stress_shear",   "cauchy_major",
+                                    "cauchy_minor", "tension_wale",   "tension_course", "energy_density",
+                                    "thickness",    "extrapolated"};
+  const auto relaxes = [](const BlockLaw& law) { return law.material->response().relaxes(); };
+  if (std::any_of(problem.laws.begin(), problem.laws.end(), relaxes))
+    names.insert(names.end(), {"wrinkle_state", "wrinkle_x", "wrinkle_y", "wrinkle_z"});
   return names;
 }
 

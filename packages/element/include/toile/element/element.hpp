@@ -46,6 +46,9 @@ struct PointFields {
   std::vector<double> energy_density;     ///< [n][points] MPa
   std::vector<double> thickness_stretch;  ///< [n][points]
   std::vector<std::uint8_t> status;       ///< [n][points]
+  // Only if the fabric relaxes, else empty.
+  std::vector<material::WrinkleState> wrinkle_state;  ///< [n][points]
+  std::vector<double> wrinkle_crest;  ///< [n][points][3] along the crests in space: a unit vector, or zero
 };
 
 /// One element formulation: kinematics from nodal unknowns to C at points, and back by the chain rule.

@@ -36,7 +36,7 @@ Fields compute_fields(const Problem& problem, const State& state);
 /// (N).
 Vec3 pressure_resultant(const Fields& fields);
 
-/// Names of the element fields, in their order.
-const std::vector<std::string>& element_field_names();
+/// Names of the element fields, in their order; those of wrinkles only if a material of `problem` relaxes.
+std::vector<std::string> element_field_names(const Problem& problem);
 
 }  // namespace toile::solve
