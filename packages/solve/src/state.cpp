@@ -19,7 +19,7 @@ State placed_state(const Problem& problem) {
 }
 
 Vec3 ForceBalance::sum() const {
-  Vec3 total = contact + load + damping + pins;
+  Vec3 total = contact + load + damping;
   for (const Vec3& reaction : support) total += reaction;
   return total;
 }
