@@ -1,5 +1,4 @@
-#include <exodusII.h>
-
+#include "exodus.hpp"
 #include "program.hpp"
 #include "toile/result/state_file.hpp"
 
@@ -10,16 +9,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 using FailedRun = ProgramTest;
-
-int exodus_steps(const std::string& file) {
-  int cpu_size = sizeof(double), disk_size = 0;
-  float version = 0.0F;
-  const int id = ex_open(file.c_str(), EX_READ, &cpu_size, &disk_size, &version);
-  if (id < 0) return -1;
-  const auto steps = static_cast<int>(ex_inquire_int(id, EX_INQ_TIME));
-  ex_close(id);
-  return steps;
-}
 
 // A strip whose clamps meet has no equilibrium: the run ends with status 3, names the stage and how far it
 // came, and the last converged state is on disk, complete, in both files.
@@ -32,12 +21,15 @@ TEST_F(FailedRun, LeavesTheLastConvergedState) {
   EXPECT_THAT(run.err,
               AllOf(HasSubstr("toile: stage \"pull\" could not reach its end: it stopped at load 0."),
                     HasSubstr("\"smallest step\" 0.01"), HasSubstr("out/results.exo"), HasSubstr("out/restart.h5")));
-  const int steps = exodus_steps(path("out/results.exo"));
+  const ExodusStep last(path("out/results.exo"));
+  const int steps = last.steps;
   EXPECT_GT(steps, 1);
   const result::StateData state = result::read_state(path("out/restart.h5"));
   EXPECT_EQ(state.integers.at("step"), std::vector<int>{steps});
   EXPECT_EQ(state.metadata.at("stage"), "pull");
-  EXPECT_EQ(state.reals.at("position").size(), 3u * 66u);
+  const std::vector<double>& position = state.reals.at("position");
+  ASSERT_EQ(position.size(), 3u * 66u);
+  for (size_t i = 0; i < position.size(); ++i) EXPECT_NEAR(position[i], last.position[i % 3][i / 3], 1e-12) << i;
   const double load = state.reals.at("seam_load_parameter")[1];
   EXPECT_GT(load, 0.25);
   EXPECT_LT(load, 1.0);
@@ -53,7 +45,7 @@ TEST_F(FailedRun, RunsOutOfSteps) {
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, AllOf(HasSubstr("stage \"pull\" could not reach its end: it stopped at load 0.75"),
                              HasSubstr("most steps")));
-  EXPECT_GT(exodus_steps(path("out/results.exo")), 2);
+  EXPECT_GT(ExodusStep(path("out/results.exo")).steps, 2);
 }
 
 // A run whose first step fails says that nothing was written, and leaves the results of an earlier run as they are.
@@ -67,6 +59,37 @@ TEST_F(FailedRun, LeavesEarlierResultsIfNothingWasAccepted) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("stage \"sew\" could not reach its end"),
                              HasSubstr("No step was accepted, and nothing was written to out.")));
   EXPECT_EQ(read("out/results.exo"), "of an earlier run");
+}
+
+// Sewing that fails after accepted steps says how far it came, keeps its last state, and tells its notes as well.
+TEST_F(FailedRun, LeavesTheLastStateOfSewing) {
+  write_scene("sleeve",
+              {{"<ParameterList name=\"Damping\"/>",
+                "<ParameterList name=\"Damping\"/><Parameter name=\"most steps\" type=\"int\" value=\"3\"/>"}});
+  const Outcome run = toile("run scene.xml --output out");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("toile: stage \"sew\" could not reach its end: it stopped at "));
+  EXPECT_THAT(run.err, HasSubstr(" % of the seams' closing"));
+  EXPECT_THAT(run.out, HasSubstr("note: stage \"sew\": nothing resists a "));
+  const int steps = ExodusStep(path("out/results.exo")).steps;
+  EXPECT_GT(steps, 1);
+  const result::StateData state = result::read_state(path("out/restart.h5"));
+  EXPECT_EQ(state.integers.at("step"), std::vector<int>{steps});
+  EXPECT_GT(state.reals.at("seam_load_parameter")[0], 0.0);
+  EXPECT_LT(state.reals.at("seam_load_parameter")[0], 1.0);
+}
+
+// A settle that fails at once claims no state that it has not got.
+TEST_F(FailedRun, SettleThatAcceptsNothing) {
+  write_scene("sleeve", {{"<Parameter name=\"type\" type=\"string\" value=\"sew\"/>",
+                          "<Parameter name=\"type\" type=\"string\" value=\"settle\"/>"},
+                         {"<ParameterList name=\"Stages\">",
+                          "<ParameterList name=\"Solver\"><Parameter name=\"most iterations\" type=\"int\" "
+                          "value=\"1\"/></ParameterList><ParameterList name=\"Stages\">"}});
+  const Outcome run = toile("run scene.xml --output out");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("stage \"sew\": no undamped equilibrium was found at its end, and no step of it was "
+                                 "accepted. No step was accepted, and nothing was written to out."));
 }
 
 }  // namespace

@@ -46,6 +46,23 @@ TEST_F(RunScene, ReportsPressureExtremes) {
   EXPECT_NEAR(largest, least, 1e-4 * least);
 }
 
+// A sleeve that starts off the body and is only sewn presses evenly too: what held it at the start is gone.
+TEST_F(RunScene, SewsFromOffTheBody) {
+  const std::string settled = [&] {
+    write_scene("sleeve");
+    return summary_line(toile("run scene.xml").out, "pressure: ");
+  }();
+  write_scene("sleeve",
+              {{"name=\"offset\" type=\"double\" value=\"0.3\"", "name=\"offset\" type=\"double\" value=\"3\""},
+               {"<ParameterList name=\"settle\">\n      <Parameter name=\"type\" type=\"string\" "
+                "value=\"settle\"/>\n    </ParameterList>",
+                ""}});
+  const Outcome run = toile("run scene.xml");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, Not(HasSubstr("[2/")));
+  EXPECT_EQ(summary_line(run.out, "pressure: "), settled);
+}
+
 // A quiet run that succeeds prints nothing, and writes the same files.
 TEST_F(RunScene, IsQuiet) {
   write_scene("strip");
@@ -54,6 +71,15 @@ TEST_F(RunScene, IsQuiet) {
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err, "");
   EXPECT_TRUE(exists("results/scene/results.exo"));
+}
+
+// Fabric that left its calibrated range is a warning, which a quiet run prints too.
+TEST_F(RunScene, WarnsOfFabricOutsideItsRange) {
+  write_scene("strip", {{"\"itskov\"", "\"rebar\""}, {"{0, 20, 0}", "{0, 190, 0}"}});
+  const Outcome run = toile("run scene.xml --quiet");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, ::testing::StartsWith("warning: outside the calibrated range of the fabric: 50 elements, "));
+  EXPECT_THAT(run.err, HasSubstr(" in panel \"strip\""));
 }
 
 // --output names the folder of the results, which is made if need be, and nothing is written elsewhere.

@@ -5,7 +5,9 @@
 
 #include <Tpetra_Core.hpp>
 #include <cmath>
+#include <limits>
 
+#include "panels.hpp"
 #include "sleeve.hpp"
 
 namespace toile::test {
@@ -13,7 +15,7 @@ namespace {
 
 using solve::Drive;
 using solve::Equilibrium;
-using solve::HeldComponent;
+using solve::Held;
 using solve::Vector;
 
 /// A sleeve that is pushed onto a cylinder a little larger than its placed radius, half sewn, damped and loaded: every
@@ -38,8 +40,9 @@ struct Fixture {
     for (int j = 0; j <= options().along; ++j)  // open the seam by turning its second side away
       sleeve.mesh.placed[static_cast<size_t>(j) * 13 + 12] += solve::Vec3(0.5, -4.0, 0.3);
     sleeve.problem.loads.push_back({"pull", sleeve.problem.supports[1].nodes, solve::Vec3(1e-4, 2e-4, 0.0)});
-    std::vector<std::array<HeldComponent, 3>> held(sleeve.problem.clusters.size());
-    for (int i = 0; i < 12; ++i) held[i][2] = {true, 0.0, 1.5, 0};
+    Held held;
+    held.position.resize(sleeve.problem.clusters.size());
+    for (int i = 0; i < 12; ++i) held.position[i][2] = {true, 0.0, 1.5, 0};
     solve::State start = placed_state(sleeve.problem);
     equilibrium = std::make_unique<Equilibrium>(sleeve.problem, start, held, Drive{0.0, 1.0, 0.0, 1.0},
                                                 solve::SolverOptions(), Tpetra::getDefaultComm());
@@ -127,6 +130,37 @@ TEST(Equilibrium, RetractionClosesTheGapOfActiveNodes) {
   f.equilibrium->residual(moved, f.s, again);
   again.update(-1.0, residual, 1.0);
   EXPECT_LT(again.norm2(), 1e-9);
+}
+
+// A gap that is not a number on one rank is none on every rank, so that all of them give the step up together.
+TEST(Equilibrium, EveryRankSeesAGapThatIsNotANumber) {
+  Fixture f;
+  Vector residual(f.z->getMap());
+  f.equilibrium->residual(*f.z, f.s, residual);
+  EXPECT_TRUE(std::isfinite(f.equilibrium->imbalance(residual).gap));
+  if (Tpetra::getDefaultComm()->getRank() == 0)
+    residual.getDataNonConst()[residual.getLocalLength() - 2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(f.equilibrium->imbalance(residual).gap));
+}
+
+// A tangent that cannot be factorised (the second sheet resists nothing at all) is shifted until it can.
+TEST(Equilibrium, SingularTangentIsShifted) {
+  Panels sheets(
+      std::make_shared<material::Material>(*material::find("neo-hookean"), std::vector<double>{8.4667e-3}, 1.0));
+  const material::Material limp = limp_fabric();
+  sheets.add(solve::Vec3::Zero(), 1.1 * solve::Vec3::UnitX(), 1.1 * solve::Vec3::UnitY(), 0);
+  sheets.add(100.0 * solve::Vec3::UnitZ(), solve::Vec3::UnitX(), solve::Vec3::UnitY(), 0);
+  sheets.problem.laws[1].material = &limp;
+  Held held;
+  held.position.resize(sheets.problem.clusters.size());
+  Equilibrium equilibrium(sheets.problem, placed_state(sheets.problem), held, Drive{}, {}, Tpetra::getDefaultComm());
+  const Teuchos::RCP<Vector> z = equilibrium.start_vector();
+  Vector b(z->getMap()), step(z->getMap());
+  Fixture::shake(b, 1e-3, 4);
+  equilibrium.linearise(*z, 0.0);
+  EXPECT_EQ(equilibrium.unshifted_negative_pivots(), -1);
+  ASSERT_TRUE(equilibrium.solve(b, step));
+  EXPECT_GT(step.dot(b), 0.0);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct Sleeve {
     int around = 24, along = 8;
     bool hold_top = true;
     int ranks = 1;
+    bool ranks_around = false;  ///< the seam's two sides lie on different ranks
   };
 
   Sleeve(const Options& o, std::shared_ptr<material::Material> fabric)
@@ -83,15 +84,43 @@ struct Sleeve {
     problem.supports.push_back(bottom);
     if (o.hold_top) problem.supports.push_back(top);
 
-    // Ranks by rings of elements: simple, and no rank is without a neighbour.
+    // Ranks by rings of elements, or by strips along the axis: simple, and no rank is without a neighbour.
+    const auto rank_of = [&](int i, int j) {
+      return o.ranks_around ? i * o.ranks / o.around : std::min(j, o.along - 1) * o.ranks / o.along;
+    };
     problem.element_rank.emplace_back();
     for (int j = 0; j < o.along; ++j)
-      for (int i = 0; i < o.around; ++i) problem.element_rank[0].push_back(j * o.ranks / o.along);
+      for (int i = 0; i < o.around; ++i) problem.element_rank[0].push_back(rank_of(i, j));
     for (int j = 0; j <= o.along; ++j)
-      for (int i = 0; i < o.around; ++i) problem.cluster_rank.push_back(std::min(j, o.along - 1) * o.ranks / o.along);
+      for (int i = 0; i < o.around; ++i) problem.cluster_rank.push_back(rank_of(i, j));
     problem.mesh = &mesh;
     problem.laws.push_back({element::find("membrane4"), material.get()});
     problem.surface = surface.get();
+  }
+
+  /// A second sleeve of the same kind above the first one; the supports hold both.
+  void add_copy(double height) {
+    const int nodes = mesh.nodes();
+    const size_t clusters = problem.clusters.size();
+    mesh::Block block = mesh.blocks.front();
+    block.name = "copy";
+    for (int& node : block.connectivity) node += nodes;
+    mesh.blocks.push_back(block);
+    for (int n = 0; n < nodes; ++n) {
+      mesh.pattern.push_back(mesh.pattern[n]);
+      mesh.placed.emplace_back(mesh.placed[n] + solve::Vec3(0.0, 0.0, height));
+    }
+    for (size_t c = 0; c < clusters; ++c) {
+      std::vector<int> members = problem.clusters[c];
+      for (int& node : members) node += nodes;
+      problem.clusters.push_back(members);
+      problem.cluster_rank.push_back(problem.cluster_rank[c]);
+    }
+    for (solve::Support& support : problem.supports)
+      for (size_t i = 0, count = support.nodes.size(); i < count; ++i)
+        support.nodes.push_back(support.nodes[i] + nodes);
+    problem.laws.push_back(problem.laws.front());
+    problem.element_rank.push_back(problem.element_rank.front());
   }
 };
 

@@ -1,53 +1,14 @@
 // Stages of a sleeve on a rigid cylinder, on one and on several ranks.
-#include "sleeve.hpp"
-
 #include <gtest/gtest.h>
 
-#include <Tpetra_Core.hpp>
 #include <cmath>
 
+#include "stages.hpp"
 #include "toile/base/error.hpp"
-#include "toile/solve/fields.hpp"
 #include "toile/solve/simulation.hpp"
 
 namespace toile::test {
 namespace {
-
-std::shared_ptr<material::Material> neo_hookean() {
-  return std::make_shared<material::Material>(*material::find("neo-hookean"), std::vector<double>{8.4667e-3}, 1.0);
-}
-
-std::shared_ptr<material::Material> pantyhose() {
-  const material::MaterialV1& rebar = *material::find("rebar");
-  const double* values = rebar.sets[0].values;
-  return std::make_shared<material::Material>(rebar, std::vector<double>(values, values + rebar.n_params), 1.0);
-}
-
-Sleeve::Options options(int around = 24, int along = 8) {
-  Sleeve::Options o;
-  o.around = around;
-  o.along = along;
-  o.ranks = Tpetra::getDefaultComm()->getSize();
-  return o;
-}
-
-solve::State closed_start(const solve::Problem& problem) {
-  solve::State start = placed_state(problem);
-  start.seam = 1.0;
-  return start;
-}
-
-solve::StageOptions stage(solve::StageType type) {
-  solve::StageOptions s;
-  s.name = "stage";
-  s.type = type;
-  return s;
-}
-
-double mid_pressure(const Sleeve& sleeve, const solve::State& state, int around, int along) {
-  const solve::Fields fields = compute_fields(sleeve.problem, state);
-  return fields.pressure[static_cast<size_t>((along / 2) * (around + 1) + around / 4)];
-}
 
 // The pressure of a sleeve held at an axial stretch of 1.1 converges with second order to T/R
 // (reference/contact/contact_cyl_ax1.1_nh.csv of the project's reference set).
@@ -91,13 +52,7 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   direct.run(stage(solve::StageType::settle));
 
   Sleeve open(options(), neo_hookean());
-  const double pi = std::acos(-1.0);
-  for (int j = 0; j <= 8; ++j)
-    for (int i = 0; i <= 24; ++i) {  // cover 85 % of the girth
-      solve::Vec3& p = open.mesh.placed[static_cast<size_t>(j * 25 + i)];
-      const double angle = 2.0 * pi * 0.85 * i / 24.0;
-      p = solve::Vec3(60.0 * std::cos(angle), 60.0 * std::sin(angle), p[2]);
-    }
+  open_up(open, options(), 60.0);
   solve::Simulation sewn(open.problem, {});
   int steps = 0;
   bool undamped_at_end = false;

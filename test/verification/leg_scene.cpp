@@ -68,6 +68,13 @@ std::vector<LegLevel> Leg::levels() const {
   return found;
 }
 
+double Leg::quantile(const std::string& field, double share) const {
+  std::vector<double> values = element_field(fields, field);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 double Leg::imbalance() const {
   solve::ForceBalance written = report.balance;
   written.contact = solve::pressure_resultant(fields);

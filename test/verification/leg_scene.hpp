@@ -24,7 +24,9 @@ struct Leg {
 
   /// The garment cut at the levels of the scene's output: B, B1, C, D, F, G.
   std::vector<LegLevel> levels() const;
-  /// Forces of the written pressure field, the supports and the pins: their sum over the sum of the magnitudes.
+  /// Value of an element field (stretch_wale, stretch_course) below which a share of all elements lies.
+  double quantile(const std::string& field, double share) const;
+  /// Forces of the written pressure field and the supports: their sum over the sum of the magnitudes.
   double imbalance() const;
 };
 

@@ -25,6 +25,12 @@ void expect_decreasing(const std::vector<LegLevel>& level) {
   EXPECT_GT(level[F].pressure, level[G].pressure);
 }
 
+/// Stretch of nine tenths of the elements, as doc/pantyhose-leg.md has it.
+void expect_stretch(const Leg& leg, const std::string& field, double low, double high) {
+  EXPECT_NEAR(leg.quantile(field, 0.05), low, 0.02) << field;
+  EXPECT_NEAR(leg.quantile(field, 0.95), high, 0.02) << field;
+}
+
 // The shipped pantyhose leg presses as the published fabric must: less from ankle to thigh, by Laplace's law where the
 // leg is nearly a cylinder, and in tension everywhere.
 TEST(PantyhoseLeg, Rebar) {
@@ -38,6 +44,9 @@ TEST(PantyhoseLeg, Rebar) {
   for (const int l : {B, B1, D, F, G}) EXPECT_NEAR(level[l].pressure, level[l].laplace, 0.05 * level[l].laplace) << l;
   EXPECT_GT(level[C].pressure, level[C].laplace) << "the calf is convex along the leg too";
   EXPECT_GT(leg.fields.smallest_principal_stress, -1e-9);
+  // Without friction the fabric shares its tension along the leg, so its wale stretch is uneven.
+  expect_stretch(leg, "stretch_wale", 1.01, 1.36);
+  expect_stretch(leg, "stretch_course", 1.65, 1.96);
 }
 
 // Fabric that keeps its height has the pattern's stretch, 2 by 1.15, and the pressures that this stretch means.
@@ -45,6 +54,8 @@ TEST(PantyhoseLeg, Held) {
   const Leg leg = run_leg("pantyhose-leg-held.xml");
   expect_sound(leg);
   const std::vector<LegLevel> level = leg.levels();
+  expect_stretch(leg, "stretch_wale", 1.14, 1.18);
+  expect_stretch(leg, "stretch_course", 1.98, 2.02);
   EXPECT_NEAR(level[B].pressure, 0.9, 0.06);
   EXPECT_NEAR(level[C].pressure, 0.55, 0.06);
   EXPECT_NEAR(level[G].pressure, 0.35, 0.03);

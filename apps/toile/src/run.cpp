@@ -47,6 +47,12 @@ std::string kept_text(const Recorder& recorder, const std::string& folder) {
          folder + "/results.exo, and in " + folder + "/restart.h5.";
 }
 
+/// What is good to know of a run and what limits the trust in it, whether or not it reached its end.
+void tell(const solve::Simulation& simulation, base::Log& log) {
+  for (const std::string& note : simulation.notes()) log.info("note: " + note);
+  for (const std::string& warning : simulation.warnings()) log.warn(warning);
+}
+
 base::ProgressPoint progress_of(const solve::StepReport& r, int stage_number, int stages, double seconds) {
   base::ProgressPoint point;
   point.stage = r.stage;
@@ -101,6 +107,7 @@ int run(const RunArguments& arguments) {
     try {
       simulation.run(stage);
     } catch (const base::SolveError& error) {
+      tell(simulation, log);
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
@@ -112,8 +119,8 @@ int run(const RunArguments& arguments) {
       recorder->finish(log);
     }
     const solve::StepReport& last = recorder->reports().back();
-    for (const std::string& note : simulation.notes()) log.info("note: " + note);
-    for (const std::string& warning : simulation.warnings()) log.warn(warning);
+    tell(simulation, log);
+    for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
     failed = failed_checks(scene, figures_of(recorder->last(), last));
     std::string all;

@@ -55,6 +55,20 @@ Figures figures_of(const solve::Fields& fields, const solve::StepReport& report)
   return f;
 }
 
+std::vector<std::string> field_warnings(const solve::Fields& fields, const solve::StepReport& report) {
+  std::vector<std::string> warnings;
+  if (report.extrapolated > 0) {
+    std::ostringstream text;
+    text << "outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "
+         << fields.largest_extrapolation << " in " << fields.extrapolated_where;
+    warnings.push_back(text.str());
+  }
+  if (fields.contacts_off_surface > 0)
+    warnings.push_back("the body has no smooth surface near " + std::to_string(fields.contacts_off_surface) +
+                       " nodes in contact: their pressure shows its facets");
+  return warnings;
+}
+
 std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,
                     const solve::SolveStatistics& statistics, const base::Timer& timer) {
   const Figures f = figures_of(fields, report);
@@ -81,10 +95,6 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
   out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
   out << "  equilibrium: relative residual " << report.residual << ", " << stability(report.negative_pivots) << "\n";
-  if (report.extrapolated > 0)
-    out << "  outside the calibrated range of the fabric: " << report.extrapolated
-        << " elements, largest fibre stretch " << fields.largest_extrapolation << " in " << fields.extrapolated_where
-        << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";

@@ -322,19 +322,19 @@ void Equilibrium::linearise(const Vector& z, double s) {
   want_fresh_ = false;
 }
 
-// A direction of descent needs a positive definite tangent: as long as the factorisation shows negative pivots, a
-// multiple of the lumped area is added. In a stable equilibrium none is left, and the shift is gone. It starts small: a
-// tube of even fabric that slides round a body along itself changes its energy by its discretisation error only, and a
-// larger shift lets it creep.
+// A direction of descent needs a positive definite tangent: as long as the factorisation fails or shows negative
+// pivots, a multiple of the lumped area is added. In a stable equilibrium none is left, and the shift is gone. It
+// starts small: a tube of even fabric that slides round a body along itself changes its energy by its discretisation
+// error only, and a larger shift lets it creep.
 void Equilibrium::factorise_positive() {
-  if (!linear_.is_fresh()) return;
-  unshifted_pivots_ = linear_.negative_pivots();
-  if (unshifted_pivots_ == 0 || !seek_minimum_) return;
+  if (!linear_.is_fresh() && !linear_.failed()) return;  // a kept factorisation
+  const auto indefinite = [this] { return linear_.failed() || linear_.negative_pivots() > 0; };
+  unshifted_pivots_ = linear_.failed() ? -1 : linear_.negative_pivots();
+  if (!indefinite() || !seek_minimum_) return;
   double* values = projected_->getLocalMatrixHost().values.data();
   const double least = 1e-8 * std::abs(mean_diagonal_) / mean_mass_;
   double added = 0.0;
-  for (double shift = std::max(least, 0.1 * last_shift_); linear_.negative_pivots() > 0 && shift < 1e12 * least;
-       shift *= 10.0) {
+  for (double shift = std::max(least, 0.1 * last_shift_); indefinite() && shift < 1e12 * least; shift *= 10.0) {
     add_shift(shift - added, values);
     added = last_shift_ = shift;
     linear_.update(true);

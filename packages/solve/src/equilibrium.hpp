@@ -94,6 +94,8 @@ class Equilibrium {
   /// Sets the contact offsets to half the present thickness, and the thickness of shells, unless none would change by
   /// more than `tolerance` (mm). Returns the largest change, 0 if they were left.
   double update_thickness(const Vector& z, double s, double tolerance);
+  const std::vector<double>& offsets() const { return offset_; }
+  void set_offsets(const std::vector<double>& offsets) { offset_ = offsets; }  ///< as offsets() gave them
   /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface.
   void balance_multipliers(Vector& z, double s);
 

@@ -2,6 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equilibrium.hpp"
 
@@ -28,7 +29,7 @@ int Equilibrium::global_contact_nodes() const {
 }
 
 Imbalance Equilibrium::imbalance(const Vector& f) const {
-  double mine[2] = {0.0, 0.0};
+  double mine[3] = {0.0, 0.0, 0.0};  // squares of the residual and of its scale; number of gaps that are not a number
   const auto data = f.getData();
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (int d = 0; d < 3; ++d) {
@@ -49,18 +50,20 @@ Imbalance Equilibrium::imbalance(const Vector& f) const {
     }
   }
   double gap = 0.0;
-  for (size_t i = layout_.dof_map->getNodeNumElements(); i < static_cast<size_t>(data.size()); ++i)
-    gap = std::isnan(data[i]) ? data[i] : std::max(gap, std::abs(data[i]));
+  for (size_t i = layout_.dof_map->getNodeNumElements(); i < static_cast<size_t>(data.size()); ++i) {
+    if (std::isnan(data[i])) mine[2] += 1.0;  // a maximum over ranks would lose it
+    gap = std::max(gap, std::abs(data[i]));
+  }
   Imbalance all;
-  double sums[2], largest = 0.0;
-  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 2, mine, sums);
+  double sums[3], largest = 0.0;
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 3, mine, sums);
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, gap, Teuchos::outArg(largest));
   all.force = std::sqrt(sums[0]);
   // A garment at rest has only the forces of rounded positions: those of 1e-12 mm at every node (with the default
   // tolerance) are no imbalance.
   constexpr double resting = 1e-2;  // mm
   all.force_scale = std::max(std::sqrt(sums[1]), resting * diagonal_norm_);
-  all.gap = largest;
+  all.gap = sums[2] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest;
   return all;
 }
 
@@ -203,9 +206,9 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (size_t i = 0; i < multipliers(); ++i)
     contact_on[i] = data[first + i] * contact(static_cast<int>(i), s, data[first + i]).normal;
-  // Rows of three: contact, load, damping, pins, one a support; last the sum of magnitudes.
+  // Rows of three: contact, load, damping, pins, one a support; last the sums of magnitudes, of the pins and of all.
   constexpr size_t contact_row = 0, load_row = 1, damping_row = 2, pin_row = 3, support_row = 4;
-  const size_t count = 3 * (support_row + problem_.supports.size()) + 1;
+  const size_t count = 3 * (support_row + problem_.supports.size()) + 2;
   std::vector<double> mine(count, 0.0), all(count, 0.0);
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (size_t d = 0; d < 3; ++d) {
@@ -221,6 +224,7 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
       const double reaction = sums.force[i] + damping[i] - dead - contact_on[c][d];
       mine[3 * (held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support)) + d] += reaction;
       mine.back() += std::abs(reaction);
+      if (held.support < 0) mine[count - 2] += std::abs(reaction);
     }
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(), all.data());
   const auto row = [&](size_t k) { return Vec3(all[3 * k], all[3 * k + 1], all[3 * k + 2]); };
@@ -230,6 +234,7 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   b.damping = row(damping_row);
   b.pins = row(pin_row);
   for (size_t k = 0; k < problem_.supports.size(); ++k) b.support.push_back(row(support_row + k));
+  b.pin_magnitude = all[count - 2];
   b.magnitude = all.back();
   return b;
 }

@@ -167,6 +167,7 @@ void add_contact(const Problem& problem, const State& state, Fields& out) {
       out.pressure[n] = contact::pressure(state.contact_force[c], area);
       out.gap[n] = p.gap - state.offset[c];
       out.normal[n] = p.normal;
+      if (n == problem.clusters[c].front() && out.pressure[n] > 0.0 && !p.found) ++out.contacts_off_surface;
     }
   }
 }

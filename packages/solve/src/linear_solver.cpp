@@ -121,6 +121,9 @@ bool LinearSolver::solve(const Vector& b, Vector& x) {
 bool LinearSolver::is_fresh() const {
   return data_->fresh;
 }
+bool LinearSolver::failed() const {
+  return data_->factorisations > 0 && !data_->usable;
+}
 int LinearSolver::negative_pivots() const {
   return data_->factorisation.negative_pivots();
 }

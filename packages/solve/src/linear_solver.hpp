@@ -40,6 +40,7 @@ class LinearSolver {
   bool solve(const Vector& b, Vector& x);
 
   bool is_fresh() const;
+  bool failed() const;  ///< the last factorisation did
   /// Of the last factorisation; the tangent's own only if it is fresh.
   int negative_pivots() const;
   int iterations() const;      ///< Belos iterations so far

@@ -34,7 +34,8 @@ class BalanceTest : public NOX::StatusTest::Generic {
 };
 
 /// Backtracking on the potential of the step, with the contact multipliers held at those of the iteration's start
-/// (Armijo). Where the potential cannot tell any more (round-off), the residual decides.
+/// (Armijo). A rise below its round-off is none, so that the full step is taken there; whether it was a good one is for
+/// the residual of the next iteration to tell.
 class EnergyLineSearch : public NOX::LineSearch::Generic {
  public:
   EnergyLineSearch(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) {}

@@ -1,8 +1,10 @@
 #include "null_motion.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace toile::solve {
@@ -11,6 +13,7 @@ namespace {
 
 using Motion = Eigen::Matrix<double, 6, 1>;     // translation t, rotation w about `centre`: r = t + w x (x - centre)
 using Generator = Eigen::Matrix<double, 3, 6>;  // r at one point, per component of the motion
+using Motions = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 Generator generator(const Vec3& x, const Vec3& centre, double length) {
   Generator g;
@@ -29,78 +32,203 @@ std::string vector_text(const Vec3& v) {
 }
 
 std::string name_of(const Motion& motion, const Vec3& centre, double length) {
+  constexpr double negligible = 1e-3;
   const Vec3 t = motion.head<3>(), w = motion.tail<3>() / length;
-  if (w.norm() * length < 1e-3 * t.norm()) return "translation along " + vector_text(t.normalized());
-  const Vec3 through = centre + w.cross(t) / w.squaredNorm();
-  Eigen::Index largest = 0;
-  w.cwiseAbs().maxCoeff(&largest);
-  return "rotation about the axis " + vector_text(w.normalized() * (w[largest] < 0.0 ? -1.0 : 1.0)) + " through " +
-         vector_text(through);
+  if (w.norm() * length < negligible * t.norm()) return "translation along " + vector_text(t.normalized());
+  const double along = t.dot(w) / w.squaredNorm();  // mm per radian
+  std::ostringstream name;
+  name.precision(3);
+  if (std::abs(along) < negligible * length)
+    name << "rotation about the axis ";
+  else
+    name << "screw of " << 2.0 * std::acos(-1.0) * along << " mm per turn about the axis ";
+  name << vector_text(w.normalized()) << " through " << vector_text(centre + w.cross(t) / w.squaredNorm());
+  return name.str();
+}
+
+/// Clusters that elements connect. Each part moves by itself.
+std::vector<std::vector<int>> connected_parts(const Problem& problem) {
+  std::vector<int> cluster_of(problem.mesh->nodes()), parent(problem.clusters.size());
+  for (size_t c = 0; c < problem.clusters.size(); ++c) {
+    parent[c] = static_cast<int>(c);
+    for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
+  }
+  const auto root = [&parent](int c) {
+    while (parent[c] != c) c = parent[c] = parent[parent[c]];
+    return c;
+  };
+  for (const mesh::Block& block : problem.mesh->blocks)
+    for (size_t i = 0; i < block.connectivity.size(); ++i) {
+      const size_t first = i - i % static_cast<size_t>(block.nodes_per_element);
+      parent[root(cluster_of[block.connectivity[i]])] = root(cluster_of[block.connectivity[first]]);
+    }
+  std::map<int, std::vector<int>> parts;
+  for (size_t c = 0; c < parent.size(); ++c) parts[root(static_cast<int>(c))].push_back(static_cast<int>(c));
+  std::vector<std::vector<int>> all;
+  for (auto& [id, clusters] : parts) all.push_back(std::move(clusters));
+  return all;
+}
+
+/// Mean of the cluster's nodes: where its seam touches the body.
+Vec3 mean_position(const Problem& problem, const State& state, int cluster) {
+  const std::vector<int>& members = problem.clusters[cluster];
+  Vec3 mean = Vec3::Zero();
+  for (const int n : members) mean += node_position(problem, state, cluster, n) / static_cast<double>(members.size());
+  return mean;
+}
+
+/// Null motions of one connected part of the garment.
+class PartMotions {
+ public:
+  PartMotions(const Problem& problem, const State& state, const std::vector<int>& clusters);
+  void find(const Held& held, bool seams_closed, const std::vector<bool>& guided);
+  std::vector<NullMotion> pinned(const Held& held) const;
+
+ private:
+  Eigen::Matrix<double, 6, 6> resistance_of_directors(const Held& held, int cluster) const;
+  Generator generator_at(const Vec3& x) const { return generator(x, centre_, length_); }
+
+  const Problem& problem_;
+  const State& state_;
+  const std::vector<int>& clusters_;
+  const std::vector<bool> is_shell_;  ///< [node]
+  Vec3 centre_ = Vec3::Zero();
+  double length_ = 1.0;
+  Motions null_space_;  ///< orthonormal
+};
+
+PartMotions::PartMotions(const Problem& problem, const State& state, const std::vector<int>& clusters)
+    : problem_(problem), state_(state), clusters_(clusters), is_shell_(shell_nodes(problem)) {
+  for (const int c : clusters) centre_ += state.position[c] / static_cast<double>(clusters.size());
+  for (const int c : clusters) length_ = std::max(length_, (state.position[c] - centre_).norm());
+}
+
+// A clamped director resists the rotations that would turn it.
+Eigen::Matrix<double, 6, 6> PartMotions::resistance_of_directors(const Held& held, int cluster) const {
+  Eigen::Matrix<double, 6, 6> resistance = Eigen::Matrix<double, 6, 6>::Zero();
+  for (const int n : problem_.clusters[cluster])
+    for (Eigen::Index k = 0; k < 2 && is_shell_[n]; ++k) {
+      if (!held.rotation[n][static_cast<size_t>(k)]) continue;
+      Motion turn = Motion::Zero();
+      turn.tail<3>() = state_.frame[n].row(2).cross(state_.frame[n].row(k)).transpose();
+      resistance += turn * turn.transpose();
+    }
+  return resistance;
+}
+
+void PartMotions::find(const Held& held, bool seams_closed, const std::vector<bool>& guided) {
+  Eigen::Matrix<double, 6, 6> resistance = Eigen::Matrix<double, 6, 6>::Zero();
+  double scale = 0.0;
+  for (const int c : clusters_) {
+    const Generator g = generator_at(state_.position[c]);
+    scale += g.squaredNorm();
+    for (int i = 0; i < 3; ++i)
+      if (held.position[c][i].held) resistance += g.row(i).transpose() * g.row(i);
+    if (guided[c]) {
+      const Vec3 x = mean_position(problem_, state_, c);
+      const Motion normal = generator_at(x).transpose() * problem_.surface->closest(x).normal;
+      resistance += normal * normal.transpose();
+    }
+    for (size_t m = 1; m < problem_.clusters[c].size() && !seams_closed; ++m) {
+      const Generator apart = generator_at(node_position(problem_, state_, c, problem_.clusters[c][m])) - g;
+      resistance += apart.transpose() * apart;
+    }
+    if (!held.rotation.empty()) resistance += resistance_of_directors(held, c);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(resistance);
+  const auto count = (eigen.eigenvalues().array() <= 1e-9 * scale).count();
+  null_space_ = eigen.eigenvectors().leftCols(count);
+}
+
+/// Combines the columns so that each has a one where the others have a zero, in three rows from `first`.
+void reduce(Eigen::Ref<Motions> motions, Eigen::Index first) {
+  std::array<bool, 3> used{};
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    Eigen::Index row = -1, column = k;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = k; j < motions.cols() && !used[i]; ++j)
+        if (row < 0 || std::abs(motions(first + i, j)) > (1.0 + 1e-9) * std::abs(motions(first + row, column))) {
+          row = i;
+          column = j;
+        }
+    used[row] = true;
+    motions.col(k).swap(motions.col(column));
+    motions.col(k) /= motions(first + row, k);
+    for (Eigen::Index j = 0; j < motions.cols(); ++j)
+      if (j != k) motions.col(j) -= motions(first + row, j) * motions.col(k);
+  }
+}
+
+/// The eigenvectors of a multiple zero are any combinations: the translations among them come out alone here, and the
+/// rest has no part along them.
+Motions readable(const Motions& null_space) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> turning(null_space.bottomRows<3>(), Eigen::ComputeFullV);
+  Motions motions = null_space * turning.matrixV();
+  const auto rotations = (turning.singularValues().array() > 1e-3).count();
+  reduce(motions.leftCols(rotations), 3);
+  reduce(motions.rightCols(motions.cols() - rotations), 0);
+  return motions;
+}
+
+// Each pin sits where what the earlier ones leave of the null space moves most, so that no two hold the same.
+std::vector<NullMotion> PartMotions::pinned(const Held& held) const {
+  if (null_space_.cols() == 0) return {};
+  const Motions motions = readable(null_space_);
+  Motions left = null_space_;
+  std::vector<NullMotion> found;
+  while (left.cols() > 0) {
+    NullMotion pin{name_of(motions.col(motions.cols() - left.cols()), centre_, length_), 0, 0};
+    double largest = 0.0;
+    Eigen::VectorXd held_motion;
+    for (const int c : clusters_) {
+      const Generator g = generator_at(state_.position[c]);
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::VectorXd moves = left.transpose() * Motion(g.row(i));
+        if (held.position[c][i].held || moves.norm() <= largest * (1.0 + 1e-9)) continue;
+        largest = moves.norm();
+        held_motion = moves;
+        pin.cluster = c;
+        pin.component = i;
+      }
+    }
+    // The Householder reflection that takes the first column to the held motion takes the others to what is left.
+    Eigen::VectorXd mirror = held_motion.normalized();
+    mirror[0] += mirror[0] < 0.0 ? -1.0 : 1.0;
+    const Motion across = left * mirror * (2.0 / mirror.squaredNorm());
+    left -= across * mirror.transpose();
+    left = left.rightCols(left.cols() - 1).eval();
+    found.push_back(pin);
+  }
+  return found;
 }
 
 }  // namespace
 
-std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state,
-                                          const Held& held, bool seams_closed) {
-  constexpr double touching = 1.0;  // mm: nodes this near count as guided by the body
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& p : state.position) centre += p / static_cast<double>(state.position.size());
-  double length = 1.0;
-  for (const Vec3& p : state.position) length = std::max(length, (p - centre).norm());
-
-  Eigen::Matrix<double, 6, 6> resistance = Eigen::Matrix<double, 6, 6>::Zero();
-  double scale = 0.0;
-  const std::vector<bool> is_shell = shell_nodes(problem);
-  for (size_t c = 0; c < state.position.size(); ++c) {
-    const Vec3& x = state.position[c];
-    const Generator g = generator(x, centre, length);
-    scale += g.squaredNorm();
-    for (int i = 0; i < 3; ++i)
-      if (held.position[c][i].held) resistance += g.row(i).transpose() * g.row(i);
-    if (problem.surface != nullptr) {
-      const body::SurfacePoint p = problem.surface->closest(x);
-      if (p.found && std::abs(p.gap - state.offset[c]) < touching) {
-        const Motion normal = g.transpose() * p.normal;
-        resistance += normal * normal.transpose();
-      }
-    }
-    for (size_t m = 1; m < problem.clusters[c].size() && !seams_closed; ++m) {
-      const Generator apart =
-          generator(node_position(problem, state, static_cast<int>(c), problem.clusters[c][m]), centre, length) - g;
-      resistance += apart.transpose() * apart;
-    }
+std::vector<bool> near_body(const Problem& problem, const State& state) {
+  constexpr double touching = 1.0;  // mm
+  std::vector<bool> near(problem.clusters.size(), false);
+  for (size_t c = 0; c < near.size() && problem.surface != nullptr; ++c) {
+    const body::SurfacePoint p = problem.surface->closest(mean_position(problem, state, static_cast<int>(c)));
+    near[c] = p.found && std::abs(p.gap - state.offset[c]) < touching;
   }
+  return near;
+}
 
-  // A clamped director resists the rotations that would turn it.
-  for (size_t n = 0; n < state.frame.size(); ++n)
-    for (Eigen::Index k = 0; k < 2; ++k) {
-      if (!is_shell[n] || !held.rotation[n][static_cast<size_t>(k)]) continue;
-      Motion turn = Motion::Zero();
-      turn.tail<3>() = state.frame[n].row(2).cross(state.frame[n].row(k)).transpose();
-      resistance += turn * turn.transpose();
-    }
+std::vector<bool> in_contact(const State& state) {
+  std::vector<bool> touches;
+  for (const double force : state.contact_force) touches.push_back(force > 0.0);
+  return touches;
+}
 
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(resistance);
-  std::vector<NullMotion> motions;
-  std::vector<std::array<bool, 3>> taken(state.position.size(), {false, false, false});
-  for (int k = 0; k < 6; ++k) {
-    if (eigen.eigenvalues()[k] > 1e-9 * scale) continue;
-    const Motion motion = eigen.eigenvectors().col(k);
-    NullMotion found{name_of(motion, centre, length), 0, 0};
-    double largest = 0.0;
-    for (size_t c = 0; c < state.position.size(); ++c) {
-      const Vec3 r = generator(state.position[c], centre, length) * motion;
-      for (int i = 0; i < 3; ++i)
-        if (!taken[c][i] && !held.position[c][i].held && std::abs(r[i]) > largest * (1.0 + 1e-9)) {
-          largest = std::abs(r[i]);
-          found.cluster = static_cast<int>(c);
-          found.component = i;
-        }
-    }
-    taken[found.cluster][found.component] = true;
-    motions.push_back(found);
+std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state, const Held& held,
+                                          bool seams_closed, const std::vector<bool>& guided) {
+  std::vector<NullMotion> all;
+  for (const std::vector<int>& clusters : connected_parts(problem)) {
+    PartMotions part(problem, state, clusters);
+    part.find(held, seams_closed, guided);
+    for (const NullMotion& motion : part.pinned(held)) all.push_back(motion);
   }
-  return motions;
+  return all;
 }
 
 }  // namespace toile::solve

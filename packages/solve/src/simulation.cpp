@@ -85,8 +85,12 @@ struct Simulation::Data {
 
   // Of the stage that runs.
   StageOptions stage;
+  Drive drive;
   std::shared_ptr<Equilibrium> equilibrium;
   RCP<Vector> z;
+  std::vector<NullMotion> pinned;
+  size_t earlier_notes = 0;  ///< of the stages before
+  int earlier_steps = 0;
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
   // Of the last step whose negative pivots were counted.
@@ -98,12 +102,20 @@ struct Simulation::Data {
       : problem(p), options(o), comm(Tpetra::getDefaultComm()), state(placed_state(p)) {}
 
   void build();
-  void accept(double s, const Imbalance& imbalance, bool undamped);
+  void assemble(const State& from, const std::vector<bool>& guided);
+  StepReport accept(double s, const Imbalance& imbalance, bool undamped);
   bool solve(double s);
   bool finish();
   bool relax();
+  bool come_to_rest();
+  bool conclude();
+  void check_pins();
+  void count_linear_work();
+  std::string failure() const;
+  void judge(const StepReport& last);
   void march();
-  double first_damping() const;
+  double fallback_damping() const;
+  void choose_damping();
   double undamped_residual(double s);
   LineSearch line_search() const { return stage.arc_length ? LineSearch::none : LineSearch::energy; }
   void count_pivots(double s, StepReport& report);
@@ -141,18 +153,12 @@ const std::vector<std::string>& Simulation::warnings() const {
 
 void Simulation::Data::build() {
   released.insert(stage.released.begin(), stage.released.end());
-  Drive drive{state.seam, state.seam, state.load, state.load};
+  drive = {state.seam, state.seam, state.load, state.load};
   if (stage.type == StageType::sew) drive.seam_end = stage.target;
   if (stage.type == StageType::load) drive.load_end = stage.target;
-  const bool closed_at_end = drive.seam_end >= 1.0;
-  Held held{held_positions(problem, released), held_rotations(problem, state, released)};
-  for (const NullMotion& motion : find_null_motions(problem, state, held, closed_at_end)) {
-    held.position[motion.cluster][motion.component] = {true, state.position[motion.cluster][motion.component], 0.0, -1};
-    notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
-                    "; one component of one node is held against it");
-  }
-  equilibrium = std::make_shared<Equilibrium>(problem, state, held, drive, options, comm);
-  z = equilibrium->start_vector();
+  earlier_notes = notes.size();
+  earlier_steps = statistics.steps;
+  assemble(state, near_body(problem, state));
   equilibrium->update_thickness(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
@@ -161,18 +167,61 @@ void Simulation::Data::build() {
   last_direction = 1.0;
   s_counted = 0.0;
   z_counted = z;
+  equilibrium->start_step(*z, 0.0);
+}
+
+// The equations of the stage, from a state whose motions the `guided` clusters resist.
+void Simulation::Data::assemble(const State& from, const std::vector<bool>& guided) {
+  Held held{held_positions(problem, released), held_rotations(problem, from, released)};
+  pinned = find_null_motions(problem, from, held, drive.seam_end >= 1.0, guided);
+  notes.resize(earlier_notes);
+  for (const NullMotion& motion : pinned) {
+    held.position[motion.cluster][motion.component] = {true, from.position[motion.cluster][motion.component], 0.0, -1};
+    notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
+                    "; one component of one node is held against it");
+  }
+  equilibrium = std::make_shared<Equilibrium>(problem, from, held, drive, options, comm);
+  z = equilibrium->start_vector();
   equilibrium->seek_minimum(!stage.arc_length);
   equilibrium->set_first_step(stage.first_step);
-  equilibrium->start_step(*z, 0.0);
   statistics.unknowns = static_cast<int>(equilibrium->map()->getGlobalNumElements());
   statistics.contact_nodes = equilibrium->global_contact_nodes();
   statistics.contact_stiffness = equilibrium->contact_stiffness();
 }
 
-// DESIGN "Stabilisation": the damping diagonal is 1e-4 of the mean tangent diagonal until there is an energy to
-// measure.
-double Simulation::Data::first_damping() const {
+void Simulation::Data::count_linear_work() {
+  statistics.linear_iterations += equilibrium->linear().iterations();
+  statistics.factorisations += equilibrium->linear().factorisations();
+}
+
+// Where there is no energy to measure (flat, floating panels), the damping diagonal is 1e-4 of the mean tangent
+// diagonal (DESIGN "Stabilisation").
+double Simulation::Data::fallback_damping() const {
   return 1e-4 * std::abs(equilibrium->mean_tangent_diagonal()) / equilibrium->mean_mass() * stage.first_step;
+}
+
+// The damping with which the first step dissipates the wanted share of its strain energy, found by trying that step: a
+// softer one moves further, so it is tried again.
+void Simulation::Data::choose_damping() {
+  constexpr int rounds = 3;
+  constexpr double next_to_nothing = 1e-12;  // of stiffness times step squared
+  equilibrium->set_damping(fallback_damping());
+  const RCP<Vector> before = z;
+  bool converged = solve(0.0);
+  const RCP<Vector> first = z;
+  equilibrium->start_step(*first, 0.0);
+  for (int round = 0; round < rounds && converged; ++round) {
+    z = first;
+    converged = solve(stage.first_step);
+    const double now = equilibrium->dissipation(*z, stage.first_step), c = equilibrium->damping();
+    const double step_squared = now * stage.first_step / (c * equilibrium->mean_mass());
+    const double energy = equilibrium->strain_energy(), wanted = stage.damping.fraction * energy;
+    const double least = next_to_nothing * std::abs(equilibrium->mean_tangent_diagonal()) * step_squared;
+    if (!converged || now <= 0.0 || energy <= least || std::abs(std::log2(wanted / now)) < 1.0) break;
+    equilibrium->set_damping(c * wanted / now);
+  }
+  z = before;
+  equilibrium->start_step(*z, 0.0);
 }
 
 void Simulation::Data::adapt_damping(double now) {
@@ -190,7 +239,8 @@ double Simulation::Data::undamped_residual(double s) {
   return equilibrium->imbalance(f).relative();
 }
 
-void Simulation::Data::accept(double s, const Imbalance& imbalance, bool undamped) {
+StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool undamped) {
+  const bool moved = s > reached;  // the first state, at the start of the stage, is no step
   state = equilibrium->state(*z, s);
   reached = s;
   StepReport report;
@@ -215,10 +265,11 @@ void Simulation::Data::accept(double s, const Imbalance& imbalance, bool undampe
   report.undamped = undamped;
   equilibrium->start_step(*z, s);
   if (undamped || stage.stability_every_step) count_pivots(s, report);
-  if (equilibrium->damping() > 0.0) adapt_damping(now);
+  if (equilibrium->damping() > 0.0 && moved) adapt_damping(now);
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   iterations = cut_backs = 0;
   if (observer) observer(report, state);
+  return report;
 }
 
 // The tangent without damping tells stable from unstable; a change between two steps tells what was passed.
@@ -287,8 +338,8 @@ bool Simulation::Data::finish() {
 // where a step fails.
 bool Simulation::Data::relax() {
   constexpr int most_steps = 40;
-  const double last = 1e-6 * first_damping(), largest = 1e8 * first_damping();
-  double coefficient = 100.0 * first_damping();
+  const double last = 1e-6 * fallback_damping(), largest = 1e8 * fallback_damping();
+  double coefficient = 100.0 * fallback_damping();
   for (int k = 0; k < most_steps && coefficient > last; ++k) {
     if (coefficient > largest) return false;
     equilibrium->set_damping(coefficient);
@@ -299,6 +350,74 @@ bool Simulation::Data::relax() {
   }
   equilibrium->start_step(*z, 1.0);
   return finish();
+}
+
+// The undamped equilibrium; where Newton alone does not find it, through damped steps from the same start.
+bool Simulation::Data::come_to_rest() {
+  const Vector before(*z, Teuchos::Copy);
+  const std::vector<double> offsets = equilibrium->offsets();
+  if (finish()) return true;
+  if (!stage.damping.active) return false;
+  z = rcp(new Vector(before, Teuchos::Copy));
+  equilibrium->set_offsets(offsets);
+  return relax();
+}
+
+// A garment that reaches the body, or leaves it, in the stage has other null motions at its end than at its start. A
+// pin that is not needed any more would carry a force, so the end is solved again with those of the contact that is
+// there.
+bool Simulation::Data::conclude() {
+  constexpr int most_rounds = 5;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!come_to_rest()) return false;
+    const State now = equilibrium->state(*z, 1.0);
+    const Held held{held_positions(problem, released), held_rotations(problem, now, released)};
+    const std::vector<bool> guided = in_contact(now);
+    if (find_null_motions(problem, now, held, drive.seam_end >= 1.0, guided).size() == pinned.size()) return true;
+    count_linear_work();
+    drive = {drive.seam_end, drive.seam_end, drive.load_end, drive.load_end};
+    assemble(now, guided);
+    equilibrium->start_step(*z, 1.0);
+  }
+  return false;
+}
+
+// A force along a motion that nothing resists would move the garment for ever: the pin must not hide it.
+void Simulation::Data::check_pins() {
+  constexpr double allowed = 1e-6;
+  const ForceBalance balance = equilibrium->balance(*z, 1.0);
+  if (balance.pin_magnitude <= allowed * balance.magnitude) return;
+  std::string motions;
+  for (const NullMotion& motion : pinned) motions += (motions.empty() ? "" : ", ") + motion.name;
+  std::ostringstream message;
+  message << "stage \"" << stage.name << "\": there is no equilibrium: a force of " << balance.pin_magnitude
+          << " N acts along motions of the garment that nothing resists (" << motions
+          << "). Hold the garment against them by a support.";
+  throw base::SolveError(message.str());
+}
+
+std::string Simulation::Data::failure() const {
+  std::string text = "stage \"" + stage.name + "\": no undamped equilibrium was found at its end";
+  if (statistics.steps > earlier_steps)
+    text += std::string("; the last converged ") + (stage.damping.active ? "(damped) " : "") +
+            "state was kept, and its pressures must not be read as final.";
+  else
+    text += ", and no step of it was accepted.";
+  return text + (stage.damping.active ? "" : " Try damping.");
+}
+
+void Simulation::Data::judge(const StepReport& last) {
+  const std::string where = "stage \"" + stage.name + "\": ";
+  if (last.negative_pivots > 0)
+    warnings.push_back(where + "its final state is not stable (" + std::to_string(last.negative_pivots) +
+                       " negative pivots): a small disturbance would take the garment elsewhere");
+  if (last.negative_pivots < 0)
+    warnings.push_back(where +
+                       "it is not known whether its final state is stable (the tangent could not be factorised)");
+  if (stage.damping.active && dissipated > stage.damping.limit * largest_energy)
+    warnings.push_back(where +
+                       "the damping dissipated more than the limit; its path was not quasi-static (the final state is "
+                       "undamped)");
 }
 
 void Simulation::Data::run_stepper() {
@@ -346,7 +465,7 @@ void Simulation::Data::run_stepper() {
 }
 
 void Simulation::Data::march() {
-  if (stage.damping.active) equilibrium->set_damping(first_damping());
+  if (stage.damping.active) choose_damping();
   run_stepper();
   constexpr double round_off = 1e-12;
   if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
@@ -367,23 +486,12 @@ void Simulation::run(const StageOptions& stage) {
   d.stage = stage;
   d.build();
   if (stage.type != StageType::settle) d.march();
-  if (!d.finish()) {
-    d.z = d.equilibrium->vector_of(d.state);
-    if (!stage.damping.active || !d.relax())
-      throw base::SolveError("stage \"" + stage.name +
-                             "\": no undamped equilibrium was found at its end; the last converged (damped) state was "
-                             "kept, and its pressures must not be read as final." +
-                             (stage.damping.active ? "" : " Try damping."));
-  }
+  if (!d.conclude()) throw base::SolveError(d.failure());
+  d.check_pins();
   Vector f(d.z->getMap());
   d.equilibrium->residual(*d.z, 1.0, f);
-  d.accept(1.0, d.equilibrium->imbalance(f), true);
-  d.statistics.linear_iterations += d.equilibrium->linear().iterations();
-  d.statistics.factorisations += d.equilibrium->linear().factorisations();
-  if (stage.damping.active && d.dissipated > stage.damping.limit * d.largest_energy)
-    d.warnings.push_back("stage \"" + stage.name +
-                         "\": the damping dissipated more than the limit; its path was not "
-                         "quasi-static (the final state is undamped)");
+  d.judge(d.accept(1.0, d.equilibrium->imbalance(f), true));
+  d.count_linear_work();
 }
 
 }  // namespace toile::solve

@@ -33,7 +33,11 @@ Spec& add_steps(Spec& spec) {
 Spec damping_spec() {
   return Spec("Damping",
               "Artificial viscous damping of the stage (left out: none). It is zero in the stage's final state.")
-      .real("fraction", "", "Energy that the first step dissipates over its strain energy.", 2e-4, Range::positive())
+      .real("fraction", "",
+            "Energy that a step dissipates over the strain energy: of the first step over its own, later over the "
+            "largest so far (the damping then changes by no more than a factor of 5 a step). Where the first step "
+            "stores next to nothing, its damping is 1e-4 of the mean stiffness instead.",
+            2e-4, Range::positive())
       .real("limit", "",
             "Accumulated dissipation over the largest strain energy above which the path is reported as "
             "not quasi-static.",

@@ -66,7 +66,7 @@ Frame rotated(const Frame& frame, double w1, double w2) {
 }
 
 Vec3 ForceBalance::sum() const {
-  Vec3 total = contact + load + damping + pins;
+  Vec3 total = contact + load + damping;
   for (const Vec3& reaction : support) total += reaction;
   return total;
 }

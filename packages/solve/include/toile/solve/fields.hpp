@@ -27,6 +27,7 @@ struct Fields {
   double smallest_principal_stress = 0.0;  ///< Cauchy, MPa
   double largest_extrapolation = 0.0;  ///< largest fibre stretch in an element outside the calibrated range; 0: none
   std::string extrapolated_where;      ///< block and element of it
+  int contacts_off_surface = 0;        ///< clusters in contact where the body has no smooth surface, only facets
 };
 
 /// Evaluates the whole garment on the calling rank.

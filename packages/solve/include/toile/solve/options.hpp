@@ -22,7 +22,7 @@ struct NewtonOptions {
 /// Artificial damping of a stage.
 struct DampingOptions {
   bool active = false;
-  double fraction = 2e-4;  ///< dissipated energy of the first step over its strain energy
+  double fraction = 2e-4;  ///< dissipated energy of a step over the strain energy (largest so far)
   double limit = 0.05;     ///< accumulated dissipation over the largest strain energy that is still called quasi-static
 };
 

@@ -10,15 +10,17 @@
 
 namespace toile::solve {
 
-/// Forces of a configuration, summed over the garment (N). They add up to zero in equilibrium.
+/// Forces of a configuration, summed over the garment (N). Those of body, supports, loads and damping add up to zero in
+/// equilibrium.
 struct ForceBalance {
   Vec3 contact = Vec3::Zero();  ///< of the body on the garment
   std::vector<Vec3> support;    ///< reaction of each support, in the order of Problem::supports
   Vec3 load = Vec3::Zero();
   Vec3 damping = Vec3::Zero();
-  Vec3 pins = Vec3::Zero();  ///< of what is held against null motions
-  double magnitude = 0.0;    ///< sum of the magnitudes of the nodal forces
-  Vec3 sum() const;
+  Vec3 pins = Vec3::Zero();    ///< of what is held against null motions; at the end of a stage they carry nothing
+  double pin_magnitude = 0.0;  ///< sum of the magnitudes of the pins' forces
+  double magnitude = 0.0;      ///< sum of the magnitudes of the nodal forces, pins included
+  Vec3 sum() const;            ///< without the pins, so that a force that nothing real carries shows
 };
 
 /// What lies between an accepted step and the one before, told by a change of the number of negative pivots.
@@ -83,7 +85,7 @@ class Simulation {
   const SolveStatistics& statistics() const;
   /// What is good to know: null motions that were held.
   const std::vector<std::string>& notes() const;
-  /// What limits the trust in the result: a path that was not quasi-static.
+  /// What limits the trust in the result: a path that was not quasi-static, an end that is not stable.
   const std::vector<std::string>& warnings() const;
 
  private:

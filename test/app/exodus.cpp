@@ -1,0 +1,55 @@
+#include "exodus.hpp"
+
+#include <exodusII.h>
+
+namespace toile::test {
+
+namespace {
+
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& file) {
+    int cpu_size = sizeof(double), disk_size = 0;
+    float version = 0.0F;
+    id = ex_open(file.c_str(), EX_READ, &cpu_size, &disk_size, &version);
+    if (id >= 0) ex_set_max_name_length(id, 64);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (id >= 0) ex_close(id);
+  }
+  int id = -1;
+};
+
+}  // namespace
+
+ExodusStep::ExodusStep(const std::string& file) : file_(file) {
+  const OpenFile exodus(file);
+  if (exodus.id < 0) return;
+  steps = static_cast<int>(ex_inquire_int(exodus.id, EX_INQ_TIME));
+  nodes = static_cast<int>(ex_inquire_int(exodus.id, EX_INQ_NODES));
+  position.assign(3, std::vector<double>(static_cast<size_t>(nodes)));
+  ex_get_coord(exodus.id, position[0].data(), position[1].data(), position[2].data());
+  for (size_t d = 0; d < 3; ++d) {
+    const std::vector<double> displacement = nodal(std::string("disp_") + "xyz"[d]);
+    for (size_t n = 0; n < displacement.size(); ++n) position[d][n] += displacement[n];
+  }
+}
+
+std::vector<double> ExodusStep::nodal(const std::string& name) const {
+  const OpenFile exodus(file_);
+  int count = 0;
+  ex_get_variable_param(exodus.id, EX_NODAL, &count);
+  for (int v = 1; v <= count; ++v) {
+    std::string found(65, '\0');
+    ex_get_variable_name(exodus.id, EX_NODAL, v, found.data());
+    if (name != found.c_str()) continue;
+    std::vector<double> values(static_cast<size_t>(nodes));
+    ex_get_var(exodus.id, steps, EX_NODAL, v, 1, nodes, values.data());
+    return values;
+  }
+  return {};
+}
+
+}  // namespace toile::test
