@@ -39,7 +39,7 @@ struct Fixture {
                                                                std::vector<double>{8.4667e-3}, 1.0)) {
     for (int j = 0; j <= options().along; ++j)  // open the seam by turning its second side away
       sleeve.mesh.placed[static_cast<size_t>(j) * 13 + 12] += solve::Vec3(0.5, -4.0, 0.3);
-    sleeve.problem.loads.push_back({"pull", sleeve.problem.supports[1].nodes, solve::Vec3(1e-4, 2e-4, 0.0)});
+    sleeve.problem.loads.push_back(pull(sleeve.problem.supports[1].nodes, solve::Vec3(3e-3, 5e-3, 0.0)));
     Held held;
     held.position.resize(sleeve.problem.clusters.size());
     for (int i = 0; i < 12; ++i) held.position[i][2] = {true, 0.0, 1.5, 0};

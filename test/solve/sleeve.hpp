@@ -32,6 +32,11 @@ class Cylinder : public body::Surface {
   double radius_;
 };
 
+/// Dead force (N) on each of some nodes.
+inline solve::NodalLoad pull(const std::vector<int>& nodes, const solve::Vec3& force) {
+  return {"pull", nodes, std::vector<double>(nodes.size(), 1.0), force, false};
+}
+
 /// Panel 2 pi R0 x L0 (course around, wale along), `around` x `along` quadrilaterals, wrapped on radius `start`, both
 /// ends held along the axis at the axial stretch `axial` (free end: `hold_top` = false).
 struct Sleeve {

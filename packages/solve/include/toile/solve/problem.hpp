@@ -63,7 +63,7 @@ struct ShellSection {
 struct BlockLaw {
   const element::Element* element = nullptr;
   const material::Material* material = nullptr;
-  ShellSection shell;
+  ShellSection shell = {};
   bool is_shell() const { return element->dofs_per_node() > 3; }
 };
 
