@@ -26,24 +26,33 @@ struct Fixture {
   Teuchos::RCP<Vector> z;
   const double s = 0.4;
 
-  static Sleeve::Options options() {
+  static Sleeve::Options options(const char* formulation) {
     Sleeve::Options o;
+    o.formulation = formulation;
     o.around = 12;
     o.along = 6;
     o.ranks = Tpetra::getDefaultComm()->getSize();
     return o;
   }
 
-  Fixture()
-      : sleeve(options(), std::make_shared<material::Material>(*material::find("neo-hookean"),
+  explicit Fixture(const char* formulation = "membrane4")
+      : sleeve(options(formulation), std::make_shared<material::Material>(*material::find("neo-hookean"),
                                                                std::vector<double>{8.4667e-3}, 1.0)) {
-    for (int j = 0; j <= options().along; ++j)  // open the seam by turning its second side away
+    constexpr int along = 6;
+    for (int j = 0; j <= along; ++j)  // open the seam by turning its second side away
       sleeve.mesh.placed[static_cast<size_t>(j) * 13 + 12] += solve::Vec3(0.5, -4.0, 0.3);
     sleeve.problem.loads.push_back(pull(sleeve.problem.supports[1].nodes, solve::Vec3(3e-3, 5e-3, 0.0)));
     Held held;
     held.position.resize(sleeve.problem.clusters.size());
     for (int i = 0; i < 12; ++i) held.position[i][2] = {true, 0.0, 1.5, 0};
-    solve::State start = placed_state(sleeve.problem);
+    const solve::State start = placed_state(sleeve.problem);
+    if (!start.frame.empty()) {
+      held.rotation.assign(static_cast<size_t>(sleeve.mesh.nodes()), {false, false});
+      for (int i = 0; i <= 12; ++i) held.rotation[static_cast<size_t>(i)] = {false, true};
+      solve::NodalLoad moment = pull(sleeve.problem.supports[1].nodes, solve::Vec3(0.02, 0.01, 0.03));
+      moment.moment = true;
+      sleeve.problem.loads.push_back(moment);
+    }
     equilibrium = std::make_unique<Equilibrium>(sleeve.problem, start, held, Drive{0.0, 1.0, 0.0, 1.0},
                                                 solve::SolverOptions(), Tpetra::getDefaultComm());
     equilibrium->set_damping(1e-3);
@@ -62,9 +71,12 @@ struct Fixture {
   }
 };
 
+class EquilibriumOf : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Formulations, EquilibriumOf, testing::Values("membrane4", "shell4", "shell4r"));
+
 // The residual of the forces is the gradient of the potential with the contact multipliers held.
-TEST(Equilibrium, ResidualIsTheGradientOfThePotential) {
-  Fixture f;
+TEST_P(EquilibriumOf, ResidualIsTheGradientOfThePotential) {
+  Fixture f(GetParam());
   Vector residual(f.z->getMap()), direction(f.z->getMap());
   Fixture::shake(direction, 1.0, 2);
   f.equilibrium->residual(*f.z, f.s, residual);
@@ -80,8 +92,8 @@ TEST(Equilibrium, ResidualIsTheGradientOfThePotential) {
 }
 
 // The tangent is the derivative of the residual, contact conditions included.
-TEST(Equilibrium, TangentIsTheDerivativeOfTheResidual) {
-  Fixture f;
+TEST_P(EquilibriumOf, TangentIsTheDerivativeOfTheResidual) {
+  Fixture f(GetParam());
   Vector direction(f.z->getMap()), product(f.z->getMap()), plus(f.z->getMap()), minus(f.z->getMap());
   Fixture::shake(direction, 1.0, 3);
   f.equilibrium->linearise(*f.z, f.s);
@@ -101,8 +113,8 @@ TEST(Equilibrium, TangentIsTheDerivativeOfTheResidual) {
 }
 
 // The Newton step solves the tangent's system: multiplied by the tangent it gives the right-hand side back.
-TEST(Equilibrium, SolveInvertsTheTangent) {
-  Fixture f;
+TEST_P(EquilibriumOf, SolveInvertsTheTangent) {
+  Fixture f(GetParam());
   Vector b(f.z->getMap()), step(f.z->getMap()), back(f.z->getMap());
   f.equilibrium->set_damping(10.0);  // positive definite, so that no shift is added
   Fixture::shake(b, 1e-3, 4);

@@ -44,6 +44,7 @@ struct Sleeve {
   std::shared_ptr<material::Material> material;
   std::shared_ptr<body::Surface> surface;
   solve::Problem problem;
+  static constexpr double shear_modulus = 0.01;  ///< transverse, of shells, MPa
 
   struct Options {
     double r0 = 50.0, l0 = 100.0, radius = 60.0, axial = 1.1;
@@ -51,6 +52,7 @@ struct Sleeve {
     bool hold_top = true;
     int ranks = 1;
     bool ranks_around = false;  ///< the seam's two sides lie on different ranks
+    const char* formulation = "membrane4";
   };
 
   Sleeve(const Options& o, std::shared_ptr<material::Material> fabric)
@@ -65,6 +67,7 @@ struct Sleeve {
         mesh.pattern.emplace_back(2.0 * pi * o.r0 * u, o.l0 * v);
         mesh.placed.emplace_back(o.radius * std::cos(2.0 * pi * u), o.radius * std::sin(2.0 * pi * u),
                                  o.l0 * o.axial * v);
+        mesh.normal.emplace_back(std::cos(2.0 * pi * u), std::sin(2.0 * pi * u), 0.0);
       }
     for (int j = 0; j < o.along; ++j)
       for (int i = 0; i < o.around; ++i) {
@@ -99,7 +102,7 @@ struct Sleeve {
     for (int j = 0; j <= o.along; ++j)
       for (int i = 0; i < o.around; ++i) problem.cluster_rank.push_back(rank_of(i, j));
     problem.mesh = &mesh;
-    problem.laws.push_back({element::find("membrane4"), material.get()});
+    problem.laws.push_back({element::find(o.formulation), material.get(), {3, shear_modulus, false}});
     problem.surface = surface.get();
   }
 

@@ -25,6 +25,7 @@ void add_panel(ParameterList& scene, const SleeveOptions& o) {
   panel.set("height", o.l0);
   panel.set("elements across", o.around);
   panel.set("elements along", o.along);
+  if (!o.shell.empty()) panel.sublist("Shell").set("integration", o.shell);
   ParameterList& placement = panel.sublist("Placement");
   placement.set("type", "wrap");
   placement.set("axis bottom", reals({o.axis[0], o.axis[1], 0.0}));
@@ -75,7 +76,7 @@ ParameterList sleeve_list(const SleeveOptions& o) {
   scene.sublist("Body").setParameters(o.body);
   ParameterList& fabric = scene.sublist("Materials").sublist("fabric");
   fabric.set("type", o.material);
-  fabric.set("set", "pantyhose");
+  fabric.set("set", o.set);
   add_panel(scene, o);
   ParameterList& seam = scene.sublist("Seams").sublist("seam");
   seam.set("first", "sleeve.right");
@@ -84,6 +85,7 @@ ParameterList sleeve_list(const SleeveOptions& o) {
   add_support(scene, "top", o.hold_top);
   ParameterList& contact = scene.sublist("Contact");
   contact.set("contact surface", o.inner_face ? "inner face" : "mid-surface");
+  contact.set("pressure area", o.pressure_on_inner_face ? "inner face" : "mid-surface");
   contact.set("relative stiffness", o.relative_stiffness);
   scene.sublist("Stages").sublist("settle").set("type", "settle");
   return scene;

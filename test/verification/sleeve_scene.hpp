@@ -15,7 +15,7 @@ namespace toile::test {
 /// A rectangle 2 pi r0 x l0 (course around, wale along z), sewn to itself round a body from the start.
 struct SleeveOptions {
   Teuchos::ParameterList body;           ///< the scene's list "Body"
-  std::string material = "neo-hookean";  ///< type of the fabric; its set "pantyhose" is taken
+  std::string material = "neo-hookean";  ///< type of the fabric; see `set`
   double r0 = 50.0, l0 = 100.0;          ///< mm
   double from = 0.0, to = 100.0;         ///< heights between which it is placed, mm
   int around = 24, along = 8;            ///< quadrilaterals
@@ -26,6 +26,9 @@ struct SleeveOptions {
   std::array<double, 2> axis = {0.0, 0.0};  ///< x, y of the vertical axis of the placement, mm
   double relative_stiffness = 10.0;         ///< augmentation of contact
   bool inner_face = false;                  ///< contact half the thickness inside the mid-surface, not at it
+  bool pressure_on_inner_face = false;      ///< pressure per area of the inner face
+  std::string shell;                        ///< integration of a shell: full, reduced; empty: a membrane
+  std::string set = "pantyhose";            ///< of the fabric's parameters
 };
 
 /// The sleeve after one stage "settle".

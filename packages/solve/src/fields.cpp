@@ -158,8 +158,18 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
   out.element.push_back(std::move(fields));
 }
 
+/// Area of the inner face over that of the mid-surface, of a fabric that lies `offset` off the body: the product of
+/// 1 - offset x principal curvature, with the curvatures of the body's level surface at the mid-surface.
+double inner_over_middle(const body::SurfacePoint& p, double offset) {
+  const double trace = p.hessian.trace(), squares = (p.hessian * p.hessian).trace();
+  return 1.0 - offset * trace + 0.5 * offset * offset * (trace * trace - squares);
+}
+
 void add_contact(const Problem& problem, const State& state, Fields& out) {
   for (size_t c = 0; c < problem.clusters.size(); ++c) {
+    if (problem.contact.pressure_on_inner_face)
+      for (const int n : problem.clusters[c])
+        out.area[n] *= inner_over_middle(problem.surface->closest(out.position[n]), state.offset[c]);
     double area = 0.0;
     for (const int n : problem.clusters[c]) area += out.area[n];
     for (const int n : problem.clusters[c]) {

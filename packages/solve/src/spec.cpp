@@ -140,13 +140,18 @@ Spec contact_spec() {
       .choice("contact surface",
               "inner face: half the current thickness inside the mid-surface; mid-surface: as membrane theory has it.",
               {"inner face", "mid-surface"}, std::string("inner face"))
+      .choice("pressure area",
+              "Current area that the written pressure (and the field area) refers to: of the mid-surface, or of the "
+              "inner face, half the current thickness nearer to the body.",
+              {"mid-surface", "inner face"}, std::string("mid-surface"))
       .real("relative stiffness", "",
             "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result.", 1.0,
             Range::positive());
 }
 
 ContactOptions read_contact(const List& list) {
-  return {list.word("contact surface") == "inner face", list.real("relative stiffness")};
+  return {list.word("contact surface") == "inner face", list.word("pressure area") == "inner face",
+          list.real("relative stiffness")};
 }
 
 Spec supports_spec() {

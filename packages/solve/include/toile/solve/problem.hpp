@@ -48,6 +48,7 @@ struct FollowerPressure {
 
 struct ContactOptions {
   bool offset_by_half_thickness = true;  ///< false: contact at the mid-surface (membrane theory)
+  bool pressure_on_inner_face = false;   ///< written per area of the inner face, not of the mid-surface
   /// Augmentation relative to the mean diagonal of the tangent. Steers the iteration, not the result.
   double relative_stiffness = 1.0;
 };

@@ -1,0 +1,95 @@
+#include "follower_pressure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+namespace toile::test {
+namespace {
+
+using solve::pressure_on_element;
+
+/// Nodes of a warped element, 5 numbers each, as shells have them.
+std::array<double, 20> warped() {
+  std::array<double, 20> x{};
+  const double corner[4][3] = {{0, 0, 0.2}, {2, 0.1, -0.3}, {2.2, 1.5, 0.4}, {-0.1, 1.3, 0.1}};
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t d = 0; d < 3; ++d) x[5 * i + d] = corner[i][d] + 3.0;
+  return x;
+}
+
+class FollowerPressure : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Nodes, FollowerPressure, testing::Values(3, 4));
+
+// The stiffness is the second derivative of -p volume.
+TEST_P(FollowerPressure, StiffnessIsTheSecondDerivativeOfTheVolume) {
+  const int n = GetParam();
+  std::array<double, 20> x = warped();
+  std::array<double, 144> stiffness{};
+  constexpr double p = 0.7, h = 1e-4;
+  pressure_on_element(n, 5, x.data(), p, stiffness.data());
+  double size = 0.0;
+  for (int r = 0; r < 3 * n; ++r)
+    for (int c = 0; c < 3 * n; ++c) {
+      double sum = 0.0;
+      for (const double i : {-1.0, 1.0})
+        for (const double j : {-1.0, 1.0}) {
+          std::array<double, 20> y = x;
+          y[static_cast<size_t>(5 * (r / 3) + r % 3)] += i * h;
+          y[static_cast<size_t>(5 * (c / 3) + c % 3)] += j * h;
+          sum -= i * j * p * pressure_on_element(n, 5, y.data(), p, nullptr).volume;
+        }
+      const double K = stiffness[static_cast<size_t>(r * 3 * n + c)];
+      EXPECT_NEAR(sum / (4.0 * h * h), K, 1e-6) << r << " " << c;
+      size = std::max(size, std::abs(K));
+    }
+  EXPECT_GT(size, 0.1);
+}
+
+// The forces on a plane element are pressure times area along its normal.
+TEST_P(FollowerPressure, ForceIsPressureTimesAreaAlongTheNormal) {
+  const int n = GetParam();
+  std::array<double, 20> x{};
+  const double corner[4][2] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t d = 0; d < 2; ++d) x[5 * i + d] = corner[i][d];
+  const auto found = pressure_on_element(n, 5, x.data(), 3.0, nullptr);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < n; ++i) sum += Eigen::Vector3d(found.force + 3 * i);
+  EXPECT_LT((sum - Eigen::Vector3d(0, 0, n == 4 ? 6.0 : 3.0)).norm(), 1e-12);
+}
+
+// On a closed surface the force is p times the gradient of the volume.
+TEST(FollowerPressureOnABox, ForceIsTheGradientOfTheVolume) {
+  std::array<std::array<double, 3>, 8> node{};
+  for (size_t k = 0; k < 8; ++k) node[k] = {double(k & 1), double((k >> 1) & 1), double(k >> 2) + 0.1 * double(k % 3)};
+  const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const auto evaluate = [&](double* force) {
+    double volume = 0.0;
+    for (const auto& f : face) {
+      double x[12];
+      for (int i = 0; i < 4; ++i) std::copy_n(node[static_cast<size_t>(f[i])].data(), 3, x + 3 * i);
+      const auto found = pressure_on_element(4, 3, x, 1.0, nullptr);
+      volume += found.volume;
+      for (int i = 0; i < 12 && force != nullptr; ++i) force[3 * f[i / 3] + i % 3] += found.force[i];
+    }
+    return volume;
+  };
+  double force[24] = {};
+  EXPECT_GT(evaluate(force), 0.5);
+  constexpr double h = 1e-5;
+  for (size_t k = 0; k < 24; ++k) {
+    double& x = node[k / 3][k % 3];
+    x += h;
+    const double up = evaluate(nullptr);
+    x -= 2.0 * h;
+    const double down = evaluate(nullptr);
+    x += h;
+    EXPECT_NEAR((up - down) / (2.0 * h), force[k], 1e-8) << k;
+  }
+}
+
+}  // namespace
+}  // namespace toile::test
