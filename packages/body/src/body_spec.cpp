@@ -43,10 +43,12 @@ Spec file_spec() {
   spec.choice("surface", "What the fabric lies on: a smooth surface fitted to the facets, or the facets (to compare).",
               {"smooth", "facets"}, std::string("smooth"));
   spec.real("cell", "mm",
-            "Cell of the smooth surface. 0: from the mean edge length; 7 suits edges of 5-10 mm, 15 edges of 20 mm.",
+            "Cell of the smooth surface. 0: from the mean edge length: 7 for edges of 5-12 mm, above that 0.55 edges.",
             0.0, Range::non_negative());
-  spec.real("smoothing", "", "Weight of the third derivatives: 1e-3 for clean meshes, 1e-2 for edges of about 20 mm.",
-            1e-3, Range::positive());
+  spec.real("smoothing", "",
+            "Weight of the third derivatives. 0: from the mean edge length and the cell, (0.4 edge/cell)^6/3 and at "
+            "least 1e-3, so that facets do not show in the pressure.",
+            0.0, Range::non_negative());
   Spec reach("Reach", "Part of the body that the garment can reach; all else is left out.");
   reach.real("bottom", "mm", "Lowest z.", -HUGE_VAL);
   reach.real("top", "mm", "Highest z.", HUGE_VAL);
