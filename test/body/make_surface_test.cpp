@@ -34,6 +34,9 @@ std::string flag(const std::string& name, bool value) {
   return "<Parameter name=\"" + name + "\" type=\"bool\" value=\"" + (value ? "true" : "false") + "\"/>";
 }
 
+/// For a file with a tube of 160 mm, open at its ends.
+const std::string small_tube = flag("closed", false) + reals("height range", "{100, 200}");
+
 std::string message(const std::string& parameters) {
   try {
     from_xml(parameters);
@@ -67,7 +70,7 @@ TEST(MakeSurface, BuildsEveryType) {
 TEST(MakeSurface, BuildsFromFile) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
   test::write_obj("tube", mesh);
-  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + small_tube;
   const SurfacePtr whole = from_xml(list);
   EXPECT_NEAR(whole->closest({0.0, 55.0, 80.0}).gap, 5.0, 0.01);
   Region region;
@@ -86,7 +89,7 @@ TEST(MakeSurface, BuildsFromFile) {
 TEST(MakeSurface, ReachIsReadFromTheList) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
   test::write_obj("tube", mesh);
-  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + small_tube;
   const auto part =
       from_xml(list + "<ParameterList name=\"Reach\">" + reals("lower corner", "{0, -100, 40}") +
                reals("upper corner", "{100, 100, 120}") + reals("seed", "{80, 0, 80}") + "</ParameterList>");

@@ -35,9 +35,11 @@ Spec file_spec() {
   spec.word("file", "Path of the file, from the folder of the scene.");
   spec.real("scale", "", "Factor that turns the coordinates of the file into mm (1000 for metres).", 1.0,
             Range::positive());
-  spec.reals("height range", "mm",
-             "Smallest and largest allowed height (extent in z) after scaling; guards against a wrong unit.",
-             Reals{50.0, 3000.0}, Range::non_negative());
+  spec.reals(
+      "height range", "mm",
+      "Smallest and largest allowed height (extent in z) after scaling; guards against a wrong unit. A body that "
+      "is smaller than 300 mm in truth (a wrist, a head) needs a range of its own.",
+      Reals{300.0, 3000.0}, Range::non_negative());
   spec.flag("closed", "true: the surface must have no border; false: a tube with open ends is meant.", true);
   spec.flag("repair orientation", "true: a body whose facets look inwards is turned; false: it is refused.", false);
   spec.choice("surface", "What the fabric lies on: a smooth surface fitted to the facets, or the facets (to compare).",

@@ -10,7 +10,7 @@ namespace toile::body {
 /// How a body file is read and what is demanded of it.
 struct ImportOptions {
   double scale = 1.0;               ///< mm per unit of the file
-  double least_height = 50.0;       ///< mm, after scaling
+  double least_height = 300.0;      ///< mm, after scaling; a person or a leg in centimetres is below
   double greatest_height = 3000.0;  ///< mm
   bool closed = true;               ///< a border is an error
   bool repair_orientation = false;  ///< turn inside-out bodies instead of refusing them
