@@ -122,6 +122,19 @@ TEST(MakeSurface, ContradictoryParameters) {
               HasSubstr("the least and the greatest height"));
 }
 
+// Girths and radii whose smooth curve dips through the axis between its levels, or beyond them where the body is shown,
+// are refused with the parameter and the height.
+TEST(MakeSurface, SplineThroughTheAxisIsRefused) {
+  const std::string dip =
+      message(text("type", "profile") + reals("levels", "{0, 100, 110, 210}") + reals("radii", "{5, 5, 60, 60}"));
+  EXPECT_THAT(dip, HasSubstr("parameter \"radii\""));
+  EXPECT_THAT(dip, HasSubstr("has the radius -"));
+  EXPECT_THAT(message(text("type", "leg") + real("knee girth", 5.0) + real("knee level", 600.0)),
+              HasSubstr("parameter \"knee girth\" = 5: the smooth curve through these values has the radius -"));
+  EXPECT_THAT(message(text("type", "leg") + real("thigh girth", 150.0) + real("top", 2000.0)),
+              HasSubstr("parameter \"thigh girth\" = 150: the smooth curve through these values has the radius -"));
+}
+
 // The tree's closest facet agrees with a search through all facets, and its barycentric weights give back the point.
 TEST(TriangleTree, FindsTheClosestFacet) {
   const TriangleMesh mesh = ellipsoid(60.0, 40.0)->triangles(10.0);
