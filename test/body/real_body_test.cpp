@@ -77,6 +77,23 @@ TEST_F(RealBody, OneLegOnly) {
   }
 }
 
+// Up to just below the crotch, with a margin that takes in a part of the hip, the other leg is left out.
+TEST_F(RealBody, MarginLeavesTheOtherLegOut) {
+  Region region;
+  region.bottom = 100.0;
+  region.top = 740.0;
+  region.seed = Vec3(145.0, -25.0, 420.0);
+  region.margin = 50.0;
+  const TriangleMesh part = clip(import_body(file_, {}).mesh, region);
+  EXPECT_LT(part.triangles.size(), 2000u);
+  double top = 0.0;
+  for (const Vec3& v : part.vertices) {
+    EXPECT_TRUE(v.x() > 0.0 || v.z() > 700.0) << v.transpose();
+    top = std::max(top, v.z());
+  }
+  EXPECT_GT(top, 780.0);
+}
+
 // On the thigh, where edges are 27 mm long on average, the curvature of the smooth surface with the cell and smoothing
 // chosen from the mesh has less than 10 % noise of that wavelength anywhere, and the surface stays within 3 mm of the
 // vertices.

@@ -51,7 +51,10 @@ Spec file_spec() {
             "Weight of the third derivatives. 0: from the mean edge length and the cell, (0.4 edge/cell)^6/3 and at "
             "least 1e-3, so that facets do not show in the pressure.",
             0.0, Range::non_negative());
-  Spec reach("Reach", "Part of the body that the garment can reach; all else is left out.");
+  Spec reach(
+      "Reach",
+      "Part of the body that the garment can reach; all else is left out. Without this list: all of it, or, if all "
+      "panels are wrapped round one axis, the piece that holds the axis, between their heights and 50 mm more.");
   reach.real("bottom", "mm", "Lowest z.", -HUGE_VAL);
   reach.real("top", "mm", "Highest z.", HUGE_VAL);
   reach.reals("lower corner", "mm", "Lower x, y, z of a box that bounds it further; {}: none.", Reals{});

@@ -110,10 +110,13 @@ SurfacePtr make_imported(const List& list, const Region* region) {
   const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
   Import import = import_body(file, read_import_options(list));
   Region reach;
+  std::string source;
   if (list.has_list("Reach")) {
     reach = read_reach(list.list("Reach"));
+    source = " (list Reach)";
   } else if (region != nullptr) {
     reach = *region;
+    source = " of the panels";
   }
   const std::size_t all = import.mesh.triangles.size();
   TriangleMesh mesh = clip(import.mesh, reach);
@@ -121,7 +124,7 @@ SurfacePtr make_imported(const List& list, const Region* region) {
     list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
   }
   std::string name = fs::path(file).filename().string() + ": " + std::to_string(mesh.triangles.size()) + " of " +
-                     std::to_string(all) + " triangles in reach";
+                     std::to_string(all) + " triangles in reach" + source;
   if (!import.notes.empty()) {
     name += ", " + import.notes;
   }

@@ -26,8 +26,8 @@ struct Import {
 /// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit.
 Import import_body(const std::string& file, const ImportOptions& options);
 
-/// Triangles with a corner in the box, and of their connected pieces the one nearest to the seed, if there is one.
-/// Unused vertices are dropped. May be empty.
+/// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within
+/// the margin. Unused vertices are dropped. May be empty.
 TriangleMesh clip(const TriangleMesh& mesh, const Region& region);
 
 }  // namespace toile::body
