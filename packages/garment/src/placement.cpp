@@ -49,7 +49,7 @@ Vec3 read_direction(const base::List& list, const std::string& name) {
 }
 
 const std::vector<Placement>& placements() {
-  static const std::vector<Placement> all{{flat_spec(), place_flat}, wrap_placement(), free_wrap_placement()};
+  static const std::vector<Placement> all{{flat_spec(), place_flat, nullptr}, wrap_placement(), free_wrap_placement()};
   return all;
 }
 
@@ -63,13 +63,16 @@ base::Spec placement_spec() {
   return spec;
 }
 
+const Placement& placement_of(const base::List& list) {
+  const std::string& type = list.word("type");
+  const auto& all = placements();
+  return *std::find_if(all.begin(), all.end(), [&type](const Placement& p) { return p.spec.name() == type; });
+}
+
 std::vector<Vec3> place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body) {
   if (!panel.has_list("Placement")) return lay_flat(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
   const base::List list = panel.list("Placement");
-  const std::string& type = list.word("type");
-  const auto& all = placements();
-  return std::find_if(all.begin(), all.end(), [&type](const Placement& p) { return p.spec.name() == type; })
-      ->place(list, grid, body);
+  return placement_of(list).place(list, grid, body);
 }
 
 }  // namespace toile::garment
