@@ -11,13 +11,13 @@ using ::testing::StartsWith;
 
 using Facets = std::vector<std::array<int, 3>>;
 
-/// A box of 100 x 100 x 200 mm about the z axis, its facets looking outwards.
+/// A box of 100 x 100 x 400 mm about the z axis, its facets looking outwards.
 const Facets box = {{1, 3, 2}, {1, 4, 3}, {5, 6, 7}, {5, 7, 8}, {1, 2, 6}, {1, 6, 5},
                     {2, 3, 7}, {2, 7, 6}, {3, 4, 8}, {3, 8, 7}, {4, 1, 5}, {4, 5, 8}};
 
 std::string obj(const Facets& facets, double scale = 1.0) {
   std::string text;
-  for (const double z : {0.0, 200.0})
+  for (const double z : {0.0, 400.0})
     for (const auto& [x, y] : {std::pair(-50.0, -50.0), {50.0, -50.0}, {50.0, 50.0}, {-50.0, 50.0}}) {
       text += "v";
       for (const double value : {x, y, z}) text += " " + std::to_string(scale * value);
@@ -87,8 +87,8 @@ TEST_F(BadBody, Open) {
 
 // A body in metres.
 TEST_F(BadBody, WrongUnit) {
-  expect_refused(obj(box, 1e-2),
-                 "the body is 2 mm high, allowed is 50 to 3000 mm; it looks like metres: set parameter "
+  expect_refused(obj(box, 5e-3),
+                 "the body is 2 mm high, allowed is 300 to 3000 mm; it looks like metres: set parameter "
                  "\"scale\" = 1000");
 }
 

@@ -40,6 +40,14 @@ inline void add_C33(Point& p, double factor, const Determinant& det) {
   p.D[3] += 4.0 * first;
 }
 
+inline Point neo_hookean(double c11, double c22, double c12, const double* params) {
+  const Determinant det(c11, c22, c12);
+  const double C10 = params[0];
+  Point p = {C10 * (c11 + c22 + det.C33 - 3.0), {2.0 * C10, 2.0 * C10, 0.0}, {}};
+  add_C33(p, C10, det);
+  return p;
+}
+
 inline void add_fibre(Point& p, double q, int axis, const double* c) {
   const double e = 0.5 * std::log(q);
   if (e < 0.0) return;
@@ -59,10 +67,7 @@ inline void add_fibre(Point& p, double q, int axis, const double* c) {
 }
 
 inline Point rebar(double c11, double c22, double c12, const double* params) {
-  const Determinant det(c11, c22, c12);
-  const double C10 = params[0];
-  Point p = {C10 * (c11 + c22 + det.C33 - 3.0), {2.0 * C10, 2.0 * C10, 0.0}, {}};
-  add_C33(p, C10, det);
+  Point p = neo_hookean(c11, c22, c12, params);
   add_fibre(p, c11, 0, params + 1);
   add_fibre(p, c22, 1, params + 7);
   return p;

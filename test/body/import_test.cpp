@@ -15,8 +15,15 @@ namespace {
 
 using testing::HasSubstr;
 
+/// For the bodies of these tests, which are smaller than a person's limb.
+ImportOptions small() {
+  ImportOptions options;
+  options.least_height = 50.0;
+  return options;
+}
+
 /// Message of the InputError that importing `file` throws; empty if it does not.
-std::string message(const std::string& file, const ImportOptions& options = {}) {
+std::string message(const std::string& file, const ImportOptions& options = small()) {
   try {
     import_body(file, options);
   } catch (const base::InputError& error) {
@@ -99,7 +106,7 @@ TEST(Import, ReadsAllFormats) {
                                    {"block.ply", block_ply()},
                                    {"block.stl", block_stl()}}) {
     SCOPED_TRACE(name);
-    const Import import = import_body(write_text(name, text), {});
+    const Import import = import_body(write_text(name, text), small());
     EXPECT_EQ(import.mesh.vertices.size(), 8u);
     EXPECT_EQ(import.mesh.triangles.size(), 12u);
     EXPECT_NEAR(volume(import.mesh), 1e6, 1e-3);
@@ -140,7 +147,7 @@ TEST(Import, Open) {
             file +
                 ": the surface is open, it has a border: 4 edges; the first runs from (0, 0, 0) to (0, "
                 "100, 0). Close it, or set parameter \"closed\" = false if a tube with open ends is meant.");
-  ImportOptions options;
+  ImportOptions options = small();
   options.closed = false;
   EXPECT_EQ(message(file, options), "");
 }
@@ -153,7 +160,7 @@ TEST(Import, InsideOut) {
   EXPECT_EQ(message(file), file +
                                ": the body is reversed (inside-out): the facets of 1 of 1 connected pieces look "
                                "inwards. Parameter \"repair orientation\" = true turns them.");
-  ImportOptions options;
+  ImportOptions options = small();
   options.repair_orientation = true;
   const Import import = import_body(file, options);
   EXPECT_NEAR(volume(import.mesh), volume(ball()), 1e-3);
@@ -163,7 +170,7 @@ TEST(Import, InsideOut) {
 // A reversed tube with open ends is recognised too.
 TEST(Import, InsideOutTube) {
   TriangleMesh mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 60.0), 10.0, 1);
-  ImportOptions options;
+  ImportOptions options = small();
   options.closed = false;
   EXPECT_EQ(message(test::write_obj("open-tube", mesh), options), "");
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
@@ -177,7 +184,7 @@ TEST(Import, InconsistentFacets) {
   const std::string file = test::write_obj("one-turned", mesh);
   EXPECT_THAT(message(file), HasSubstr("neighbouring facets look to opposite sides: 3 edges; the first runs from ("));
   EXPECT_THAT(message(file), HasSubstr("Parameter \"repair orientation\" = true turns them."));
-  ImportOptions options;
+  ImportOptions options = small();
   options.repair_orientation = true;
   EXPECT_NEAR(volume(import_body(file, options).mesh), volume(ball()), 1e-3);
 }
@@ -186,29 +193,51 @@ TEST(Import, InconsistentFacets) {
 TEST(Import, WrongUnit) {
   const TriangleMesh mesh = ellipsoid(300.0, 800.0)->triangles(100.0);
   const std::string metres = test::write_obj("metres", mesh, 1e-3);
-  EXPECT_EQ(message(metres), metres +
-                                 ": the body is 1.6 mm high, allowed is 50 to 3000 mm; it looks like metres: set "
-                                 "parameter \"scale\" = 1000");
+  EXPECT_EQ(message(metres, {}), metres +
+                                     ": the body is 1.6 mm high, allowed is 300 to 3000 mm; it looks like metres: set "
+                                     "parameter \"scale\" = 1000, or \"height range\" if the body is that small");
   ImportOptions options;
   options.scale = 1000.0;
   EXPECT_NEAR(volume(import_body(metres, options).mesh) / volume(mesh), 1.0, 1e-12);
-  EXPECT_EQ(message(test::write_obj("huge", mesh, 1e3)),
+  EXPECT_EQ(message(test::write_obj("huge", mesh, 1e3), {}),
             testing::TempDir() +
-                "toile-body-huge.obj: the body is 1.6e+06 mm high, allowed is 50 to 3000 mm; z must be the height, "
-                "and parameter \"scale\" turns the unit of the file into mm");
+                "toile-body-huge.obj: the body is 1.6e+06 mm high, allowed is 300 to 3000 mm; z must be the height, "
+                "and parameter \"scale\" turns the unit of the file into mm; parameter \"height range\" says what is "
+                "allowed");
+}
+
+// A person and a leg in centimetres are recognised by default, the message names the scale, and that scale mends them.
+TEST(Import, Centimetres) {
+  for (const double half_height : {850.0, 400.0}) {
+    const std::string file = test::write_obj("centimetres", ellipsoid(100.0, half_height)->triangles(50.0), 0.1);
+    EXPECT_THAT(message(file, {}), HasSubstr("allowed is 300 to 3000 mm; it looks like centimetres: set parameter "
+                                             "\"scale\" = 10, or \"height range\""));
+    ImportOptions options;
+    options.scale = 10.0;
+    EXPECT_EQ(message(file, options), "");
+  }
+}
+
+// A body of 200 mm, as for a sleeve on a forearm, is accepted when the range of heights says so, and only then.
+TEST(Import, SmallBodyNeedsItsRange) {
+  const std::string file = test::write_obj("forearm", ellipsoid(40.0, 100.0)->triangles(10.0));
+  EXPECT_THAT(message(file, {}), HasSubstr("\"height range\" if the body is that small"));
+  ImportOptions options;
+  options.least_height = 150.0;
+  EXPECT_EQ(message(file, options), "");
 }
 
 // Facets without area are removed and reported; two bodies through each other are accepted with a warning.
 TEST(Import, DegenerateAndIntersectingFacets) {
   const std::string flat = write_text("flat.obj", block_obj + "v 50 0 0\nf 1 1 2\n");
-  EXPECT_EQ(import_body(flat, {}).notes, "1 degenerate or repeated facets removed");
+  EXPECT_EQ(import_body(flat, small()).notes, "1 degenerate or repeated facets removed");
   std::string sliver = block_obj + "v 50 0 0\nf 1 2 9\n";
   sliver.replace(sliver.find("f 1 2 6 5"), 9, "f 1 9 2 6 5");
-  const Import closed = import_body(write_text("sliver.obj", sliver), {});
+  const Import closed = import_body(write_text("sliver.obj", sliver), small());
   EXPECT_EQ(closed.notes, "1 facets without area removed");
   EXPECT_NEAR(volume(closed.mesh), 1e6, 1e-3);
   const TriangleMesh two = twins(Vec3(50.0, 3.0, 1.0));
-  EXPECT_THAT(import_body(test::write_obj("two", two), {}).notes,
+  EXPECT_THAT(import_body(test::write_obj("two", two), small()).notes,
               testing::ContainsRegex("warning: [0-9]+ pairs of facets intersect"));
 }
 
@@ -231,6 +260,61 @@ TEST(Clip, KeepsTheWantedPiece) {
   region.lower.z() = 200.0;
   region.upper.z() = 300.0;
   EXPECT_TRUE(clip(two, region).triangles.empty());
+}
+
+/// Two tubes side by side, from z = 0 to 200, joined by facets above them that share vertices at z = 210 and 250.
+TriangleMesh trousers() {
+  const TriangleMesh leg = test::random_triangulation(test::elliptic_tube(40.0, 40.0, 200.0), 20.0, 1);
+  TriangleMesh mesh;
+  std::vector<int> tops;
+  for (const double side : {-1.0, 1.0}) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const Vec3& v : leg.vertices) mesh.vertices.push_back(v + Vec3(60.0 * side, 0.0, 0.0));
+    for (const auto& t : leg.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    tops.push_back(first + static_cast<int>(leg.vertices.size()) - 1);
+  }
+  const int crotch = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.emplace_back(0.0, 0.0, 210.0);
+  mesh.vertices.emplace_back(0.0, 0.0, 250.0);
+  for (const int top : tops) {
+    mesh.triangles.push_back({top, top - 1, crotch});
+    mesh.triangles.push_back({top, crotch, crotch + 1});
+  }
+  return mesh;
+}
+
+// Pieces that are joined outside of the bounds only are different pieces, and the margin continues the wanted one
+// outside without coming back down the other.
+TEST(Clip, MarginContinuesOnePieceOnly) {
+  const TriangleMesh mesh = trousers();
+  Region region;
+  region.bottom = 50.0;
+  region.top = 190.0;
+  region.seed = Vec3(60.0, 0.0, 120.0);
+  const auto extent = [&mesh](const Region& r) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& v : clip(mesh, r).vertices) box.extend(v);
+    return box;
+  };
+  EXPECT_GT(extent(region).min().x(), 0.0);
+  EXPECT_GT(extent(region).min().z(), 10.0);
+  region.margin = 30.0;
+  EXPECT_EQ(extent(region).max().z(), 250.0);
+  for (const Vec3& v : clip(mesh, region).vertices) {
+    EXPECT_TRUE(v.x() >= 0.0 || v.z() > 170.0) << v.transpose();
+  }
+}
+
+// Heights count along the direction of the region, whichever way it points.
+TEST(Clip, FollowsATiltedDirection) {
+  Region region;
+  region.direction = Vec3(0.6, 0.0, 0.8);
+  region.bottom = 20.0;
+  region.top = 30.0;
+  const TriangleMesh mesh = ball(), part = clip(mesh, region);
+  EXPECT_GT(part.triangles.size(), 0u);
+  EXPECT_LT(part.triangles.size(), mesh.triangles.size() / 2);
+  for (const Vec3& v : part.vertices) EXPECT_NEAR(v.dot(region.direction), 25.0, 25.0);
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ std::string flag(const std::string& name, bool value) {
   return "<Parameter name=\"" + name + "\" type=\"bool\" value=\"" + (value ? "true" : "false") + "\"/>";
 }
 
+/// For a file with a tube of 160 mm, open at its ends.
+const std::string small_tube = flag("closed", false) + reals("height range", "{100, 200}");
+
 std::string message(const std::string& parameters) {
   try {
     from_xml(parameters);
@@ -67,7 +70,7 @@ TEST(MakeSurface, BuildsEveryType) {
 TEST(MakeSurface, BuildsFromFile) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
   test::write_obj("tube", mesh);
-  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + small_tube;
   const SurfacePtr whole = from_xml(list);
   EXPECT_NEAR(whole->closest({0.0, 55.0, 80.0}).gap, 5.0, 0.01);
   Region region;
@@ -86,7 +89,7 @@ TEST(MakeSurface, BuildsFromFile) {
 TEST(MakeSurface, ReachIsReadFromTheList) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);
   test::write_obj("tube", mesh);
-  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + flag("closed", false);
+  const std::string list = text("type", "file") + text("file", "toile-body-tube.obj") + small_tube;
   const auto part =
       from_xml(list + "<ParameterList name=\"Reach\">" + reals("lower corner", "{0, -100, 40}") +
                reals("upper corner", "{100, 100, 120}") + reals("seed", "{80, 0, 80}") + "</ParameterList>");
@@ -117,6 +120,19 @@ TEST(MakeSurface, ContradictoryParameters) {
               HasSubstr("gone.obj: there is no such body file"));
   EXPECT_THAT(message(text("type", "file") + text("file", "gone.obj") + reals("height range", "{9}")),
               HasSubstr("the least and the greatest height"));
+}
+
+// Girths and radii whose smooth curve dips through the axis between its levels, or beyond them where the body is shown,
+// are refused with the parameter and the height.
+TEST(MakeSurface, SplineThroughTheAxisIsRefused) {
+  const std::string dip =
+      message(text("type", "profile") + reals("levels", "{0, 100, 110, 210}") + reals("radii", "{5, 5, 60, 60}"));
+  EXPECT_THAT(dip, HasSubstr("parameter \"radii\""));
+  EXPECT_THAT(dip, HasSubstr("has the radius -"));
+  EXPECT_THAT(message(text("type", "leg") + real("knee girth", 5.0) + real("knee level", 600.0)),
+              HasSubstr("parameter \"knee girth\" = 5: the smooth curve through these values has the radius -"));
+  EXPECT_THAT(message(text("type", "leg") + real("thigh girth", 150.0) + real("top", 2000.0)),
+              HasSubstr("parameter \"thigh girth\" = 150: the smooth curve through these values has the radius -"));
 }
 
 // The tree's closest facet agrees with a search through all facets, and its barycentric weights give back the point.

@@ -96,7 +96,10 @@ TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
   const std::string name = "ellipse" + std::to_string(GetParam()) + "_rank" + rank;
   const std::string file = write_obj(name, random_triangulation(elliptic_tube(a, b, 130.0), 5.0, GetParam()));
   SleeveOptions o = options_of(reference, 110, 30);
-  o.body = body_list("file").set("file", file).set("closed", false);
+  o.body = body_list("file")
+               .set("file", file)
+               .set("closed", false)
+               .set("height range", Teuchos::Array<double>({100.0, 200.0}));
   o.angle = 7.3;
   o.from += 10.0;
   o.to += 10.0;
@@ -107,6 +110,7 @@ TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
 
   body::ImportOptions open;
   open.closed = false;
+  open.least_height = 100.0;
   const auto facets = body::facet_surface(body::import_body(file, open).mesh, name);
   Errors faceted;
   for (int j = 0; j <= sleeve.along; ++j) {

@@ -35,19 +35,26 @@ Spec file_spec() {
   spec.word("file", "Path of the file, from the folder of the scene.");
   spec.real("scale", "", "Factor that turns the coordinates of the file into mm (1000 for metres).", 1.0,
             Range::positive());
-  spec.reals("height range", "mm",
-             "Smallest and largest allowed height (extent in z) after scaling; guards against a wrong unit.",
-             Reals{50.0, 3000.0}, Range::non_negative());
+  spec.reals(
+      "height range", "mm",
+      "Smallest and largest allowed height (extent in z) after scaling; guards against a wrong unit. A body that "
+      "is smaller than 300 mm in truth (a wrist, a head) needs a range of its own.",
+      Reals{300.0, 3000.0}, Range::non_negative());
   spec.flag("closed", "true: the surface must have no border; false: a tube with open ends is meant.", true);
   spec.flag("repair orientation", "true: a body whose facets look inwards is turned; false: it is refused.", false);
   spec.choice("surface", "What the fabric lies on: a smooth surface fitted to the facets, or the facets (to compare).",
               {"smooth", "facets"}, std::string("smooth"));
   spec.real("cell", "mm",
-            "Cell of the smooth surface. 0: from the mean edge length; 7 suits edges of 5-10 mm, 15 edges of 20 mm.",
+            "Cell of the smooth surface. 0: from the mean edge length: 7 for edges of 5-12 mm, above that 0.55 edges.",
             0.0, Range::non_negative());
-  spec.real("smoothing", "", "Weight of the third derivatives: 1e-3 for clean meshes, 1e-2 for edges of about 20 mm.",
-            1e-3, Range::positive());
-  Spec reach("Reach", "Part of the body that the garment can reach; all else is left out.");
+  spec.real("smoothing", "",
+            "Weight of the third derivatives. 0: from the mean edge length and the cell, (0.4 edge/cell)^6/3 and at "
+            "least 1e-3, so that facets do not show in the pressure.",
+            0.0, Range::non_negative());
+  Spec reach(
+      "Reach",
+      "Part of the body that the garment can reach; all else is left out. Without this list: all of it, or, if all "
+      "panels are wrapped round one axis, the piece that holds the axis, between their heights and 50 mm more.");
   reach.real("bottom", "mm", "Lowest z.", -HUGE_VAL);
   reach.real("top", "mm", "Highest z.", HUGE_VAL);
   reach.reals("lower corner", "mm", "Lower x, y, z of a box that bounds it further; {}: none.", Reals{});

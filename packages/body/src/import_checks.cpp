@@ -54,11 +54,13 @@ void check_height(const std::string& file, const PolygonSoup& soup, const Import
        << options.greatest_height << " mm";
   for (const auto& [factor, unit] : {std::pair(1000.0, "metres"), std::pair(10.0, "centimetres")}) {
     if (height * factor >= 300.0 && height * factor <= 2500.0) {
-      text << "; it looks like " << unit << ": set parameter \"scale\" = " << factor * options.scale;
+      text << "; it looks like " << unit << ": set parameter \"scale\" = " << factor * options.scale
+           << ", or \"height range\" if the body is that small";
       throw base::InputError(text.str());
     }
   }
-  text << "; z must be the height, and parameter \"scale\" turns the unit of the file into mm";
+  text << "; z must be the height, and parameter \"scale\" turns the unit of the file into mm; "
+          "parameter \"height range\" says what is allowed";
   throw base::InputError(text.str());
 }
 

@@ -19,7 +19,26 @@ constexpr double least_reach = 25.0;  ///< mm; fabric further away has no busine
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
 double default_cell(double edge) {
-  return edge < 5.0 ? std::max(3.0, 1.4 * edge) : std::max(7.0, 0.6 * edge);
+  return edge < 5.0 ? std::max(3.0, 1.4 * edge) : std::max(7.0, 0.55 * edge);
+}
+
+/// Waves shorter than 2 pi smoothing lengths, (3 lambda)^(1/6) cells, are taken off the surface. Those of facets are
+/// about an edge long, so the smoothing length follows the edge; a fine mesh on a cell of its size needs some smoothing
+/// all the same, against the modes that no vertex sees.
+double default_smoothing(double edge, double cell) {
+  constexpr double length_per_edge = 0.40, least = 1e-3;
+  return std::max(least, std::pow(length_per_edge * edge / cell, 6) / 3.0);
+}
+
+LevelSetOptions completed(const LevelSetOptions& given, double edge) {
+  LevelSetOptions options = given;
+  if (options.cell <= 0.0) {
+    options.cell = default_cell(edge);
+  }
+  if (options.smoothing <= 0.0) {
+    options.smoothing = default_smoothing(edge, options.cell);
+  }
+  return options;
 }
 
 SurfacePoint from_facets(const TriangleTree::Hit& hit, const Vec3& point) {
@@ -44,7 +63,8 @@ class LevelSetSurface final : public Surface {
         tree_(mesh_),
         edge_(mean_edge_length(mesh_)),
         start_(std::chrono::steady_clock::now()),
-        field_(fit_level_set(mesh_, options.cell > 0.0 ? options.cell : default_cell(edge_), options.smoothing)),
+        options_(completed(options, edge_)),
+        field_(fit_level_set(mesh_, options_.cell, options_.smoothing)),
         name_(std::move(name)) {
     report_fit();
   }
@@ -62,6 +82,7 @@ class LevelSetSurface final : public Surface {
   TriangleTree tree_;
   double edge_;
   std::chrono::steady_clock::time_point start_;
+  LevelSetOptions options_;
   SplineField field_;
   std::string name_;
   std::string fit_;
@@ -149,9 +170,9 @@ void LevelSetSurface::report_fit() {
   std::ostringstream text;
   text.precision(3);
   text << "smooth surface of " << field_.grid().active_cells() << " cells of " << field_.grid().cell()
-       << " mm (mean edge " << edge_ << " mm), fitted in " << seconds.count() << " s; distance to the vertices "
-       << std::sqrt(squares / weight) << " mm root mean square, mean " << mean / weight << ", from " << -most_in
-       << " to " << most_out << " (positive: outside of the vertex)";
+       << " mm, smoothing " << options_.smoothing << " (mean edge " << edge_ << " mm), fitted in " << seconds.count()
+       << " s; distance to the vertices " << std::sqrt(squares / weight) << " mm root mean square, mean "
+       << mean / weight << ", from " << -most_in << " to " << most_out << " (positive: outside of the vertex)";
   if (lost > 0) {
     text << "; " << lost << " vertices have no smooth surface near them";
   }

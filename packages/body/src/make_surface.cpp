@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "toile/body/body.hpp"
 #include "toile/body/import.hpp"
@@ -19,16 +21,38 @@ Span read_span(const List& list) {
   return span;
 }
 
+/// Revolution of a spline that is known to be positive at its levels only: between and beyond them it may undershoot.
+/// `parameter` is the one to blame.
+SurfacePtr positive_revolution(const List& list, const std::string& parameter, const ProfilePtr& profile,
+                               const Span& levels, const Span& shown, const std::string& name) {
+  constexpr int samples = 1000;
+  const double lower = std::min(levels.bottom, shown.bottom), upper = std::max(levels.top, shown.top);
+  for (int i = 0; i <= samples; ++i) {
+    const double z = lower + (upper - lower) * i / samples;
+    const double radius = profile->at(z).radius;
+    if (radius <= 0.0) {
+      std::ostringstream text;
+      text << "the smooth curve through these values has the radius " << radius << " mm at the height " << z
+           << " mm; give more levels there, or values that change less abruptly";
+      list.fail(parameter, text.str());
+    }
+  }
+  return revolution(profile, shown, name);
+}
+
 SurfacePtr make_leg(const List& list) {
+  const std::array<std::string, 4> names{"ankle", "calf", "knee", "thigh"};
   std::vector<double> levels, radii;
-  for (const std::string name : {"ankle", "calf", "knee", "thigh"}) {
+  for (const std::string& name : names) {
     if (!levels.empty() && list.real(name + " level") <= levels.back()) {
       list.fail(name + " level", "must be above the level before it (ankle, calf, knee, thigh)");
     }
     levels.push_back(list.real(name + " level"));
     radii.push_back(list.real(name + " girth") / (2.0 * M_PI));
   }
-  return revolution(spline_profile(levels, radii, LowerEnd::mirrored), read_span(list), "leg");
+  const std::string& narrowest = names[std::min_element(radii.begin(), radii.end()) - radii.begin()];
+  return positive_revolution(list, narrowest + " girth", spline_profile(levels, radii, LowerEnd::mirrored),
+                             {levels.front(), levels.back()}, read_span(list), "leg");
 }
 
 SurfacePtr make_profile(const List& list) {
@@ -39,7 +63,8 @@ SurfacePtr make_profile(const List& list) {
   if (list.reals("radii").size() != levels.size()) {
     list.fail("radii", "needs one radius for each of the " + std::to_string(levels.size()) + " levels");
   }
-  return revolution(spline_profile(levels, list.reals("radii")), {levels.front(), levels.back()}, "profile");
+  const Span span{levels.front(), levels.back()};
+  return positive_revolution(list, "radii", spline_profile(levels, list.reals("radii")), span, span, "profile");
 }
 
 Vec3 read_point(const List& list, const std::string& name) {
@@ -85,10 +110,13 @@ SurfacePtr make_imported(const List& list, const Region* region) {
   const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
   Import import = import_body(file, read_import_options(list));
   Region reach;
+  std::string source;
   if (list.has_list("Reach")) {
     reach = read_reach(list.list("Reach"));
+    source = " (list Reach)";
   } else if (region != nullptr) {
     reach = *region;
+    source = " of the panels";
   }
   const std::size_t all = import.mesh.triangles.size();
   TriangleMesh mesh = clip(import.mesh, reach);
@@ -96,7 +124,7 @@ SurfacePtr make_imported(const List& list, const Region* region) {
     list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
   }
   std::string name = fs::path(file).filename().string() + ": " + std::to_string(mesh.triangles.size()) + " of " +
-                     std::to_string(all) + " triangles in reach";
+                     std::to_string(all) + " triangles in reach" + source;
   if (!import.notes.empty()) {
     name += ", " + import.notes;
   }

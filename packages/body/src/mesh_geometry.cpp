@@ -54,12 +54,16 @@ std::vector<char> border_vertices(const TriangleMesh& mesh) {
 }
 
 double mean_edge_length(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  const auto edges = mesh_edges(mesh.triangles);
-  for (const MeshEdge& edge : edges) {
-    sum += (mesh.vertices[edge.a] - mesh.vertices[edge.b]).norm();
+  double sum = 0.0, area = 0.0;
+  const auto vectors = area_vectors(mesh);
+  for (std::size_t t = 0; t < vectors.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      sum += vectors[t].norm() * (mesh.vertices[corners[i]] - mesh.vertices[corners[(i + 1) % 3]]).norm() / 3.0;
+    }
+    area += vectors[t].norm();
   }
-  return sum / static_cast<double>(edges.size());
+  return sum / area;
 }
 
 }  // namespace toile::body

@@ -55,7 +55,7 @@ std::vector<double> vertex_areas(const TriangleMesh& mesh);
 /// Marks the vertices on a border.
 std::vector<char> border_vertices(const TriangleMesh& mesh);
 
-/// mm, each edge counted once.
+/// mm, weighted by the area of the facets: the many small facets of a hand or a foot must not speak for the limb.
 double mean_edge_length(const TriangleMesh& mesh);
 
 }  // namespace toile::body

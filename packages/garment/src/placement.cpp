@@ -59,7 +59,7 @@ Vec3 read_perpendicular(const base::List& list, const std::string& name, const V
 
 const std::vector<Placement>& placements() {
   static const std::vector<Placement> all{
-      {flat_spec(), place_flat}, wrap_placement(), free_wrap_placement(), sphere_placement()};
+      {flat_spec(), place_flat, nullptr}, wrap_placement(), free_wrap_placement(), sphere_placement()};
   return all;
 }
 
@@ -73,13 +73,16 @@ base::Spec placement_spec() {
   return spec;
 }
 
+const Placement& placement_of(const base::List& list) {
+  const std::string& type = list.word("type");
+  const auto& all = placements();
+  return *std::find_if(all.begin(), all.end(), [&type](const Placement& p) { return p.spec.name() == type; });
+}
+
 mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body) {
   if (!panel.has_list("Placement")) return lay_flat(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
   const base::List list = panel.list("Placement");
-  const std::string& type = list.word("type");
-  const auto& all = placements();
-  return std::find_if(all.begin(), all.end(), [&type](const Placement& p) { return p.spec.name() == type; })
-      ->place(list, grid, body);
+  return placement_of(list).place(list, grid, body);
 }
 
 }  // namespace toile::garment

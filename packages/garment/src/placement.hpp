@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "toile/base/parameters.hpp"
-#include "toile/body/surface.hpp"
+#include "toile/body/body.hpp"
 #include "toile/mesh/four_sided.hpp"
 
 namespace toile::garment {
@@ -14,6 +14,8 @@ namespace toile::garment {
 struct Placement {
   base::Spec spec;
   mesh::Placed (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
+  /// Part of the body round which the panel lies; null if the placement does not tell.
+  body::Region (*reach)(const base::List& placement);
 };
 
 /// All placements; a new one is a source of its own and a line here.
@@ -26,7 +28,10 @@ Placement sphere_placement();     ///< onto a sphere
 /// Description of the list "Placement" of a panel.
 base::Spec placement_spec();
 
-/// Start in space of the nodes of a panel. Without a list "Placement" the panel lies in the x-y plane of space.
+/// The placement that the list "Placement" of a panel names.
+const Placement& placement_of(const base::List& list);
+
+/// Start in space of the nodes of a panel, mm. Without a list "Placement" the panel lies in the x-y plane of space.
 mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body);
 
 }  // namespace toile::garment

@@ -59,7 +59,7 @@ mesh::Placed place_on_sphere(const base::List& list, const mesh::Grid& grid, con
 }  // namespace
 
 Placement sphere_placement() {
-  return {sphere_spec(), place_on_sphere};
+  return {sphere_spec(), place_on_sphere, nullptr};
 }
 
 }  // namespace toile::garment

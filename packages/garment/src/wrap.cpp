@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <utility>
 
 #include "placement.hpp"
 #include "section.hpp"
@@ -37,11 +38,15 @@ Axis read_axis(const base::List& list) {
   return {bottom, direction, read_perpendicular(list, "zero direction", direction)};
 }
 
+/// Heights of the panel's bottom and top along the axis.
+std::pair<double, double> read_heights(const base::List& list) {
+  if (list.real("to") <= list.real("from")) list.fail("to", "must be above \"from\"");
+  return {list.real("from"), list.real("to")};
+}
+
 /// Height of each row of the grid: linear in the mean pattern coordinate y of the row.
 std::vector<double> row_heights(const base::List& list, const mesh::Grid& grid) {
-  const double from = list.real("from");
-  const double to = list.real("to");
-  if (to <= from) list.fail("to", "must be above \"from\"");
+  const auto [from, to] = read_heights(list);
   std::vector<double> level;
   for (int j = 0; j <= grid.along; ++j) {
     double sum = 0.0;
@@ -129,12 +134,23 @@ mesh::Placed place_freely(const base::List& list, const mesh::Grid& grid, const 
   return wrap(list, grid, section_at, normal_at);
 }
 
+body::Region reach_of_wrap(const base::List& list) {
+  const Axis axis = read_axis(list);
+  const auto [from, to] = read_heights(list);
+  body::Region region;
+  region.direction = axis.direction;
+  region.bottom = axis.at(from).dot(axis.direction);
+  region.top = axis.at(to).dot(axis.direction);
+  region.seed = axis.at(0.5 * (from + to));
+  return region;
+}
+
 }  // namespace
 
 Placement wrap_placement() {
   base::Spec spec = add_wrap_parameters(base::Spec("wrap", "Round the body, level by level."));
   spec.real("offset", "mm", "Distance from the body's surface.", 0.0, base::Range::non_negative());
-  return {spec, place_on_body};
+  return {spec, place_on_body, reach_of_wrap};
 }
 
 Placement free_wrap_placement() {
@@ -143,7 +159,7 @@ Placement free_wrap_placement() {
                  "Round a cylinder or cone, without a body. Without a coverage, with two equal radii and with heights "
                  "as far apart as the panel is high, a rectangle is rolled without any strain."));
   spec.reals("around", "mm", "Radius at 'from' and at 'to'.", base::required, base::Range::positive());
-  return {spec, place_freely};
+  return {spec, place_freely, reach_of_wrap};
 }
 
 }  // namespace toile::garment

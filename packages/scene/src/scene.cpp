@@ -33,12 +33,28 @@ solve::ShellSection section(const garment::ShellOptions& shell, const material::
   throw base::Error(base::ExitCode::internal_error, "no stage sews");
 }
 
+/// Of all supports, mm.
+double largest_movement(const base::List& list) {
+  double largest = 0.0;
+  if (!list.has_list("Supports")) return largest;
+  for (const base::List& support : list.list("Supports").entries()) {
+    double squares = 0.0;
+    for (const double component : support.reals("move by")) squares += component * component;
+    largest = std::max(largest, std::sqrt(squares));
+  }
+  return largest;
+}
+
 }  // namespace
 
 Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(list.word("title")) {
   {
     const auto phase = timer.phase("body");
-    if (const auto body = optional_list(list, "Body")) surface_ = body::make_surface(*body, nullptr);
+    if (const auto body = optional_list(list, "Body")) {
+      auto reach = garment::reach_of(list.list("Panels"));
+      if (reach) reach->margin += largest_movement(list);
+      surface_ = body::make_surface(*body, reach ? &*reach : nullptr);
+    }
   }
   {
     const auto phase = timer.phase("garment");

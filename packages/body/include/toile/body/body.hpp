@@ -16,8 +16,14 @@ namespace toile::body {
 struct Region {
   Vec3 lower = Vec3::Constant(-std::numeric_limits<double>::infinity());  ///< mm
   Vec3 upper = Vec3::Constant(std::numeric_limits<double>::infinity());   ///< mm
-  /// Of the pieces that the box cuts out of the body (two legs), only the one nearest to this point is kept, mm.
+  Vec3 direction = Vec3::UnitZ();                                         ///< unit
+  double bottom = -std::numeric_limits<double>::infinity();               ///< of points x . direction, mm
+  double top = std::numeric_limits<double>::infinity();
+  /// Of the pieces that the bounds cut out of the body (two legs), only the one nearest to this point is kept, mm.
   std::optional<Vec3> seed;
+  /// What continues that piece beyond the bounds by up to this much is kept as well, mm. The other pieces are not
+  /// reached through it: a thigh is continued on the hip, not down the other leg.
+  double margin = 0.0;
 };
 
 /// Description of the scene's list "Body".

@@ -10,7 +10,7 @@ namespace toile::body {
 /// How a body file is read and what is demanded of it.
 struct ImportOptions {
   double scale = 1.0;               ///< mm per unit of the file
-  double least_height = 50.0;       ///< mm, after scaling
+  double least_height = 300.0;      ///< mm, after scaling; a person or a leg in centimetres is below
   double greatest_height = 3000.0;  ///< mm
   bool closed = true;               ///< a border is an error
   bool repair_orientation = false;  ///< turn inside-out bodies instead of refusing them
@@ -26,8 +26,8 @@ struct Import {
 /// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit.
 Import import_body(const std::string& file, const ImportOptions& options);
 
-/// Triangles with a corner in the box, and of their connected pieces the one nearest to the seed, if there is one.
-/// Unused vertices are dropped. May be empty.
+/// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within
+/// the margin. Unused vertices are dropped. May be empty.
 TriangleMesh clip(const TriangleMesh& mesh, const Region& region);
 
 }  // namespace toile::body

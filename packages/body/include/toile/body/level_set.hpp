@@ -6,8 +6,8 @@
 namespace toile::body {
 
 struct LevelSetOptions {
-  double cell = 0.0;        ///< mm; 0: from the mean edge length
-  double smoothing = 1e-3;  ///< weight lambda of the third derivatives
+  double cell = 0.0;       ///< mm; 0: from the mean edge length
+  double smoothing = 0.0;  ///< weight lambda of the third derivatives; 0: from the mean edge length and the cell
 };
 
 /// Smooth surface f = 0 of a tricubic B-spline f that is fitted once to vertices and vertex normals of `mesh`
