@@ -25,7 +25,7 @@ section() {  # title, text, test
     contact_ellipse_test
   section "Lift-off at a waist" "Where the sleeve leaves the body (reference in brackets), its radius in the middle, and the pressure two elements away from lift-off." \
     contact_waist_test
-  section "Real body and parametric leg" "Pressure noise at facet wavelength on the thigh of a body with edges of about 20 mm (left out where the body's file is missing), and the balance of the written field." \
+  section "Real body and parametric leg" "Pressure noise at facet wavelength on the thigh of a body of a real shape, below the mean edge length there, with cell, smoothing and reach chosen by the program; and the balance of the written field." \
     contact_leg_test
   section "Cook's membrane" "Uniform meshes converge with the rate of the corner's singularity (1.248), graded ones with second order." plane_cook_test
   section "Clamped strips" "Uniform meshes and meshes graded to the corners, wale at 0, 45 and 90 degrees to the pull." plane_strip_test

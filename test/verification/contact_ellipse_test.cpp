@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "body/meshes.hpp"
 #include "toile/body/import.hpp"
@@ -99,7 +100,7 @@ TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
   o.body = body_list("file")
                .set("file", file)
                .set("closed", false)
-               .set("height range", Teuchos::Array<double>({100.0, 200.0}));
+               .set("height range", Teuchos::Array<double>(std::vector<double>{100.0, 200.0}));
   o.angle = 7.3;
   o.from += 10.0;
   o.to += 10.0;

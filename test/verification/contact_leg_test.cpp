@@ -36,8 +36,8 @@ solve::Vec3 leg_centre(const body::TriangleMesh& mesh, double bottom, double top
   return 0.5 * (lower + upper);
 }
 
-// On the thigh of a real body the pressure varies by less than 10 % of its local mean at the wavelengths of facets, below
-// the mean edge length there, with nothing chosen by hand; the written field is in balance.
+// On the thigh of a real body the pressure varies by less than 10 % of its local mean at the wavelengths of facets,
+// below the mean edge length there, with nothing chosen by hand; the written field is in balance.
 TEST(Thigh, PressureNoiseOfFacets) {
   const std::string file = TOILE_SOURCE_DIR "/input/bodies/female_body.obj";
   const body::TriangleMesh whole = body::import_body(file, {}).mesh;

@@ -1,7 +1,6 @@
 // The shipped scenes of the pantyhose leg on a coarse mesh.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 
 #include "leg_scene.hpp"
 
@@ -120,8 +119,6 @@ TEST(PantyhoseLeg, PathIndependence) {
 
 // The same pattern runs on the leg of a body of a real shape, with lift-off where the body is hollow.
 TEST(PantyhoseLeg, RealLeg) {
-  const std::string body = std::string(TOILE_SOURCE_DIR) + "/../shared/bodies/female_body.obj";
-  if (!std::filesystem::exists(body)) GTEST_SKIP() << "needs the body " << body;
   const Leg leg = run_leg("pantyhose-real-leg.xml");
   expect_sound(leg);
   const std::vector<LegLevel> level = leg.levels();
