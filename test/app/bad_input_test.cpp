@@ -226,5 +226,55 @@ TEST_F(BadInput, OutputThatCannotBeWritten) {
   EXPECT_EQ(read("occupied"), "a file");
 }
 
+/// A list "Loads" with one load on the strip, before the stages.
+std::pair<std::string, std::string> with_load(const std::string& parameters) {
+  const std::string stages = "<ParameterList name=\"Stages\">";
+  return {stages, "<ParameterList name=\"Loads\"><ParameterList name=\"pull\">" + parameters +
+                      "</ParameterList></ParameterList>" + stages};
+}
+
+// A load on a set that does not exist.
+TEST_F(BadInput, LoadOnAMissingSet) {
+  write_scene("strip", {with_load(parameter("on", "string", "strip.topp") +
+                                  parameter("traction", "Array(double)", "{0, 1, 0}"))});
+  expect_refused(
+      "scene > Loads > pull: parameter \"on\" = \"strip.topp\": no edge or panel is named \"strip.topp\"; did "
+      "you mean \"strip.top\"?");
+}
+
+// A load per length on a single node.
+TEST_F(BadInput, TractionOnANode) {
+  write_scene("strip", {with_load(parameter("on", "string", "strip.top-left") +
+                                  parameter("traction", "Array(double)", "{0, 1, 0}"))});
+  expect_refused("\"strip.top-left\" is a single node; a load per length needs an edge");
+}
+
+// A moment or a clamp of the direction on a membrane.
+TEST_F(BadInput, MomentOnAMembrane) {
+  write_scene("strip", {with_load(parameter("type", "string", "edge moment") + parameter("on", "string", "strip.top") +
+                                  parameter("moment", "Array(double)", "{1, 0, 0}"))});
+  expect_refused("a moment turns shells only; give the panel a list \"Shell\"");
+}
+TEST_F(BadInput, DirectorOfAMembrane) {
+  const std::string hold = parameter("hold", "string", "z");
+  write_scene("strip", {{hold, hold + parameter("director", "string", "held")}});
+  expect_refused("scene > Supports > plane: parameter \"director\" = \"held\": is for shells");
+}
+
+// Arc length continuation follows undamped equilibria.
+TEST_F(BadInput, ArcLengthWithDamping) {
+  const std::string type = parameter("type", "string", "load");
+  write_scene("strip",
+              {{type, type + parameter("continuation", "string", "arc length") + "<ParameterList name=\"Damping\"/>"}});
+  expect_refused("must be \"natural\" in a stage with a list \"Damping\"");
+}
+
+// A fabric without thickness.
+TEST_F(BadInput, ThicknessZero) {
+  const std::string set = parameter("set", "string", "pantyhose");
+  write_scene("strip", {{set, set + parameter("thickness", "double", "0")}});
+  expect_refused("scene > Materials > fabric: parameter \"thickness\" = 0");
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -37,7 +37,7 @@ struct Fixture {
 
   explicit Fixture(const char* formulation = "membrane4")
       : sleeve(options(formulation), std::make_shared<material::Material>(*material::find("neo-hookean"),
-                                                               std::vector<double>{8.4667e-3}, 1.0)) {
+                                                                          std::vector<double>{8.4667e-3}, 1.0)) {
     constexpr int along = 6;
     for (int j = 0; j <= along; ++j)  // open the seam by turning its second side away
       sleeve.mesh.placed[static_cast<size_t>(j) * 13 + 12] += solve::Vec3(0.5, -4.0, 0.3);

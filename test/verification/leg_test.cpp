@@ -1,7 +1,6 @@
 // The shipped scenes of the pantyhose leg on a coarse mesh.
 #include <gtest/gtest.h>
 
-
 #include "leg_scene.hpp"
 
 namespace toile::test {

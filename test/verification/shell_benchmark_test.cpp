@@ -46,9 +46,8 @@ TEST_P(ShellBenchmark, FollowsThePublishedCurve) {
   EXPECT_EQ(history.reports.back().negative_pivots, 0);
   for (const Curve& curve : b.curves) {
     const std::vector<double>& expected = table.at(curve.column);
-    const double scale = std::abs(*std::max_element(expected.begin(), expected.end(), [](double x, double y) {
-      return std::abs(x) < std::abs(y);
-    }));
+    const double scale = std::abs(*std::max_element(expected.begin(), expected.end(),
+                                                    [](double x, double y) { return std::abs(x) < std::abs(y); }));
     double worst = 0.0, last = 0.0;
     for (size_t k = 0; k < expected.size(); ++k) {
       const size_t step = history.step_at(table.at(b.load_column)[k]);
@@ -67,26 +66,24 @@ TEST_P(ShellBenchmark, FollowsThePublishedCurve) {
 
 INSTANTIATE_TEST_SUITE_P(
     SzeLiuLo, ShellBenchmark,
-    testing::Values(Benchmark{"cantilever-shear",
-                              "3.1_cantilever_shear.csv",
-                              "P/Pmax",
-                              {{"tip", 0, -1.0, "minus_Utip"}, {"tip", 2, 1.0, "Wtip"}},
-                              0.01},
-                    Benchmark{"cantilever-moment",
-                              "3.2_cantilever_moment.csv",
-                              "M/Mmax",
-                              {{"tip", 0, -1.0, "minus_Utip_exact"}, {"tip", 2, 1.0, "Wtip_exact"}},
-                              0.01},
-                    Benchmark{"slit-annulus",
-                              "3.3_slit_annular_plate.csv",
-                              "P/Pmax",
-                              {{"A", 2, 1.0, "W_A"}, {"B", 2, 1.0, "W_B"}},
-                              0.01},
-                    Benchmark{"hemisphere",
-                              "3.4_hemisphere_hole.csv",
-                              "P/Pmax",
-                              {{"A", 1, 1.0, "V_A"}, {"B", 0, -1.0, "minus_U_B"}},
-                              0.01}),
+    testing::Values(
+        Benchmark{"cantilever-shear",
+                  "3.1_cantilever_shear.csv",
+                  "P/Pmax",
+                  {{"tip", 0, -1.0, "minus_Utip"}, {"tip", 2, 1.0, "Wtip"}},
+                  0.01},
+        Benchmark{"cantilever-moment",
+                  "3.2_cantilever_moment.csv",
+                  "M/Mmax",
+                  {{"tip", 0, -1.0, "minus_Utip_exact"}, {"tip", 2, 1.0, "Wtip_exact"}},
+                  0.01},
+        Benchmark{
+            "slit-annulus", "3.3_slit_annular_plate.csv", "P/Pmax", {{"A", 2, 1.0, "W_A"}, {"B", 2, 1.0, "W_B"}}, 0.01},
+        Benchmark{"hemisphere",
+                  "3.4_hemisphere_hole.csv",
+                  "P/Pmax",
+                  {{"A", 1, 1.0, "V_A"}, {"B", 0, -1.0, "minus_U_B"}},
+                  0.01}),
     [](const auto& info) {
       std::string name = info.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');
@@ -139,9 +136,10 @@ TEST(ShellBenchmark, HingedRoofSnapsBackOnThePublishedCurve) {
   EXPECT_EQ(limits, 2) << notes;
   EXPECT_GT(unstable, 5);
   EXPECT_THAT(notes, HasSubstr("a limit point was passed"));
-  print("hinged-roof        largest distance from the published curve %.2f %% of its size, %d limit points, %d steps, "
-        "%d Newton iterations\n",
-        100.0 * worst, limits, history.statistics.steps, history.statistics.newton_iterations);
+  print(
+      "hinged-roof        largest distance from the published curve %.2f %% of its size, %d limit points, %d steps, "
+      "%d Newton iterations\n",
+      100.0 * worst, limits, history.statistics.steps, history.statistics.newton_iterations);
 }
 
 }  // namespace

@@ -107,8 +107,8 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
 }
 
 void Recorder::open_files() {
-  for (const char* file : {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv",
-                           "points.csv"})
+  for (const char* file :
+       {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
     std::filesystem::remove(folder_ + "/" + file);
   for (const std::string plot : {"pressure", "force-curves"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})

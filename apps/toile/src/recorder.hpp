@@ -43,7 +43,7 @@ class Recorder {
   std::unique_ptr<result::History> history_;
   solve::Fields fields_;
   std::vector<solve::StepReport> reports_;
-  std::vector<std::vector<double>> distances_;  ///< [curve][step] mm
+  std::vector<std::vector<double>> distances_;    ///< [curve][step] mm
   std::vector<std::vector<solve::Vec3>> points_;  ///< [point][step] displacement, mm
 };
 

@@ -11,8 +11,8 @@
 #include "assumed_shear.hpp"
 #include "hourglass.hpp"
 #include "layers.hpp"
-#include "principal_stress.hpp"
 #include "point_response.hpp"
+#include "principal_stress.hpp"
 #include "shell_state.hpp"
 #include "toile/element/element.hpp"
 

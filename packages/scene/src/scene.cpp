@@ -19,6 +19,11 @@ std::optional<base::List> optional_list(const base::List& list, const std::strin
   return list.list(name);
 }
 
+base::List entry_of(const base::List& list, const std::string& name) {
+  const std::vector<base::List> entries = list.entries();
+  return *std::find_if(entries.begin(), entries.end(), [&](const base::List& entry) { return entry.name() == name; });
+}
+
 solve::ShellSection section(const garment::ShellOptions& shell, const material::Material& fabric) {
   const double modulus = shell.shear_modulus ? *shell.shear_modulus
                                              : fabric.response().natural_shear_modulus(fabric.params_at(0.0).data());
@@ -67,6 +72,10 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(lis
     sews_ = sews_ || stage.type == solve::StageType::sew;
     damps_ = damps_ || stage.damping.active;
   }
+  for (size_t k = 0; k < stages_.size(); ++k)
+    if (stages_[k].arc_length && surface_ != nullptr)
+      list.list("Stages").entries()[k].fail(
+          "continuation", "must be \"natural\" in a scene with a body: what is in contact may change along a step");
   if (sews_ && garment_.seams.empty()) fail_sewing(list.list("Stages"));
   if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
   {
@@ -94,6 +103,11 @@ void Scene::build_laws(const base::List& list) {
     const material::Material& fabric = *materials_.at(garment_.materials[b]);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
     const std::optional<garment::ShellOptions>& shell = garment_.shells[b];
+    if (shell && fabric.response().relaxes())
+      list.list("Panels").entries()[b].fail(
+          "material", "the fabric wrinkles (\"compression\" of \"" + fabric.name() +
+                          "\"), which is for membranes: a shell wrinkles by itself. Give the fabric \"compression\" = "
+                          "full, or leave out the list \"Shell\"");
     const char* name = !shell           ? (quads ? "membrane4" : "membrane3")
                        : !quads         ? "shell3"
                        : shell->reduced ? "shell4r"
@@ -107,7 +121,10 @@ void Scene::build_problem(const base::List& list, int ranks) {
   problem_.clusters = garment_.clusters.members;
   problem_.surface = surface_.get();
   const auto supports = optional_list(list, "Supports");
-  if (supports) problem_.supports = solve::read_supports(*supports, garment_.mesh);
+  if (supports) {
+    problem_.supports = solve::read_supports(*supports, garment_.mesh);
+    check_shells_of_supports(*supports);
+  }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
@@ -131,15 +148,25 @@ void Scene::build_problem(const base::List& list, int ranks) {
 }
 
 // Membranes have no directors that a moment or a clamp could turn or hold.
-void Scene::check_shells_of_moments(const base::List& loads) const {
+bool Scene::all_shells(const std::vector<int>& nodes) const {
   const std::vector<bool> shell = solve::shell_nodes(problem_);
-  for (size_t k = 0; k < problem_.loads.size(); ++k) {
-    const solve::NodalLoad& load = problem_.loads[k];
-    if (!load.moment || std::all_of(load.nodes.begin(), load.nodes.end(), [&](int n) { return shell[n]; })) continue;
-    for (const base::List& entry : loads.entries())
-      if (entry.name() == load.name)
-        entry.fail("on", "a moment turns shells only; give the panel a list \"Shell\", or load it by forces");
-  }
+  return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return shell[n]; });
+}
+
+void Scene::check_shells_of_moments(const base::List& loads) const {
+  for (const solve::NodalLoad& load : problem_.loads)
+    if (load.moment && !all_shells(load.nodes))
+      entry_of(loads, load.name)
+          .fail("on", "a moment turns shells only; give the panel a list \"Shell\", or load it by forces");
+}
+
+void Scene::check_shells_of_supports(const base::List& supports) const {
+  for (const solve::Support& support : problem_.supports)
+    if (support.director != solve::DirectorSupport::free && !all_shells(support.nodes))
+      entry_of(supports, support.name)
+          .fail("director",
+                "is for shells, and \"on\" names nodes of a membrane; give their "
+                "panel a list \"Shell\", or leave \"director\" out");
 }
 
 void Scene::list_modules(int ranks) {

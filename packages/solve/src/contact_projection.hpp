@@ -41,8 +41,8 @@ class ContactProjection {
   int component_of(LocalId dof, int cluster) const;
 
   const Layout& layout_;
-  std::vector<Vec3> normal_;  ///< [local cluster]
-  std::vector<char> active_;  ///< [local cluster]
+  std::vector<Vec3> normal_;         ///< [local cluster]
+  std::vector<char> active_;         ///< [local cluster]
   std::vector<int> cluster_of_dof_;  ///< -1: a rotation, which contact does not see
 };
 

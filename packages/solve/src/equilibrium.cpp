@@ -1,7 +1,7 @@
 #include "equilibrium.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Eigen/Geometry>
+#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -247,8 +247,7 @@ void Equilibrium::residual(const Vector& z, double s, Vector& f) {
 double Equilibrium::load_potential(const ElementAssembly::Sums& sums, double s) const {
   double work = 0.0;
   for (int c = 0; c < layout_.owned_clusters; ++c)
-    for (int d = 0; d < 3; ++d)
-      work += load_[3 * static_cast<size_t>(c) + d] * y_[3 * static_cast<size_t>(c) + d];
+    for (int d = 0; d < 3; ++d) work += load_[3 * static_cast<size_t>(c) + d] * y_[3 * static_cast<size_t>(c) + d];
   for (size_t n = 0; n < layout_.rotation.size(); ++n)
     for (int k = 0; k < 2 && layout_.node_cluster[n] < layout_.owned_clusters; ++k)
       work += moment_[n].dot(moment_axis(n, k)) * at_.rotation[2 * n + k];

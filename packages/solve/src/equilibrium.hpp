@@ -142,18 +142,18 @@ class Equilibrium {
   std::vector<std::array<std::array<std::int64_t, 3>, 3>> diagonal_;  ///< [owned cluster] places in the tangent or -1
   std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
 
-  std::vector<double> y_;           ///< [local cluster][3] position of the master at the last evaluation
-  Configuration at_;                ///< at the last evaluation
-  std::vector<double> magnitude_;   ///< [local cluster][3] N
+  std::vector<double> y_;                 ///< [local cluster][3] position of the master at the last evaluation
+  Configuration at_;                      ///< at the last evaluation
+  std::vector<double> magnitude_;         ///< [local cluster][3] N
   std::vector<double> moment_magnitude_;  ///< [local node][2] N mm; empty without shells
-  std::vector<double> mass_;        ///< [local node] reference area, mm^2
-  std::vector<double> load_;        ///< [local cluster][3] dead load at load 1, N
-  std::vector<Vec3> moment_;        ///< [local node] dead moment at load 1, N mm; empty without shells
-  std::vector<Frame> frames_;       ///< [local node] of the directors at the start of the step; empty without shells
-  std::vector<double> rotation_previous_;  ///< [local node][2] theta that belongs to them
+  std::vector<double> mass_;              ///< [local node] reference area, mm^2
+  std::vector<double> load_;              ///< [local cluster][3] dead load at load 1, N
+  std::vector<Vec3> moment_;              ///< [local node] dead moment at load 1, N mm; empty without shells
+  std::vector<Frame> frames_;  ///< [local node] of the directors at the start of the step; empty without shells
+  std::vector<double> rotation_previous_;                       ///< [local node][2] theta that belongs to them
   std::vector<std::array<std::int64_t, 2>> rotation_diagonal_;  ///< [local node] places in the tangent or -1
-  double rotary_ = 0.0;  ///< rotary over lumped inertia of a shell's node, mm^2
-  std::vector<double> x_previous_;  ///< [local node][3]
+  double rotary_ = 0.0;                                         ///< rotary over lumped inertia of a shell's node, mm^2
+  std::vector<double> x_previous_;                              ///< [local node][3]
   double s_previous_ = 0.0;
   double smallest_interval_ = 0.1;
   double damping_ = 0.0;

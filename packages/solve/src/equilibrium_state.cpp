@@ -213,8 +213,7 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (size_t d = 0; d < 3; ++d) {
       const size_t i = 3 * static_cast<size_t>(c) + d;
-      const double dead =
-          drive_.load(s) * load_[i] + (sums.pressure_force.empty() ? 0.0 : sums.pressure_force[i]);
+      const double dead = drive_.load(s) * load_[i] + (sums.pressure_force.empty() ? 0.0 : sums.pressure_force[i]);
       mine[3 * contact_row + d] += contact_on[c][d];
       mine[3 * load_row + d] += dead;
       mine[3 * damping_row + d] -= damping[i];

@@ -21,8 +21,7 @@ std::vector<bool> in_contact(const State& state);
 
 /// The null motions of a configuration: rigid motions r for which the held components, the separations across seams
 /// (`seams_closed`: none) and, at the clusters that the body guides, the gap do not change to first order.
-std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state,
-                                          const Held& held, bool seams_closed,
-                                          const std::vector<bool>& guided);
+std::vector<NullMotion> find_null_motions(const Problem& problem, const State& state, const Held& held,
+                                          bool seams_closed, const std::vector<bool>& guided);
 
 }  // namespace toile::solve

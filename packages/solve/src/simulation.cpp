@@ -290,10 +290,10 @@ void Simulation::Data::count_pivots(double s, StepReport& report) {
   if (pivots >= 0 && report.negative_pivots >= 0 && report.negative_pivots != pivots) {
     report.critical = direction * last_direction < 0.0 ? CriticalPoint::limit : CriticalPoint::bifurcation;
     std::ostringstream note;
-    note << "stage \"" << stage.name << "\": "
-         << (report.critical == CriticalPoint::limit ? "a limit point" : "a bifurcation") << " was passed between load "
-         << pivots_load << " and " << report.load << " (negative pivots " << pivots << " -> " << report.negative_pivots
-         << ")";
+    note << "stage \"" << stage.name
+         << "\": " << (report.critical == CriticalPoint::limit ? "a limit point" : "a bifurcation")
+         << " was passed between load " << pivots_load << " and " << report.load << " (negative pivots " << pivots
+         << " -> " << report.negative_pivots << ")";
     notes.push_back(note.str());
   }
   last_direction = direction;

@@ -85,7 +85,9 @@ class Scene {
  private:
   void build_laws(const base::List& list);
   void build_problem(const base::List& list, int ranks);
+  bool all_shells(const std::vector<int>& nodes) const;
   void check_shells_of_moments(const base::List& loads) const;
+  void check_shells_of_supports(const base::List& supports) const;
   void list_modules(int ranks);
 
   std::string title_;

@@ -34,9 +34,9 @@ struct Support {
 struct NodalLoad {
   std::string name;
   std::vector<int> nodes;
-  std::vector<double> share;   ///< [node] times `value`: mm of edge, or 1
-  Vec3 value = Vec3::Zero();   ///< N or N mm per share at load 1
-  bool moment = false;         ///< turns the directors about a fixed axis in space
+  std::vector<double> share;  ///< [node] times `value`: mm of edge, or 1
+  Vec3 value = Vec3::Zero();  ///< N or N mm per share at load 1
+  bool moment = false;        ///< turns the directors about a fixed axis in space
 };
 
 /// Pressure on one block of the mesh, along the current normal x_,1 x x_,2.
@@ -55,9 +55,9 @@ struct ContactOptions {
 
 /// What a shell has beyond a membrane.
 struct ShellSection {
-  int layers = 3;                ///< integration points through the thickness
-  double shear_modulus = 0.0;    ///< of transverse shear, correction factor included, MPa
-  bool placed_reference = false; ///< the placed shape is free of stress, not the flat pattern
+  int layers = 3;                 ///< integration points through the thickness
+  double shear_modulus = 0.0;     ///< of transverse shear, correction factor included, MPa
+  bool placed_reference = false;  ///< the placed shape is free of stress, not the flat pattern
 };
 
 /// Element formulation and fabric of one block of the mesh.
@@ -95,7 +95,7 @@ struct State {
   /// additive and never reset; the tangents are transported along with the director, never turned about it.
   std::vector<Frame> frame;
   std::vector<std::array<double, 2>> rotation;
-  double seam = 0.0;                  ///< 0: placed, 1: closed
+  double seam = 0.0;  ///< 0: placed, 1: closed
   double load = 0.0;
 };
 

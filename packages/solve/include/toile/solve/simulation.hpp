@@ -46,8 +46,8 @@ struct StepReport {
   double dissipation_ratio = 0.0;  ///< accumulated dissipation over the largest strain energy
   int negative_pivots = -1;        ///< of the tangent at the accepted state; -1: not known
   CriticalPoint critical = CriticalPoint::none;
-  int extrapolated = 0;            ///< elements outside the calibrated range of their fabric
-  bool undamped = false;           ///< this is the final state of its stage, without damping
+  int extrapolated = 0;   ///< elements outside the calibrated range of their fabric
+  bool undamped = false;  ///< this is the final state of its stage, without damping
   ForceBalance balance;
   double seconds = 0.0;  ///< wall time since the start of the run
 };
