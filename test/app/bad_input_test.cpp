@@ -273,7 +273,7 @@ TEST_F(BadInput, ArcLengthWithDamping) {
 TEST_F(BadInput, ThicknessZero) {
   const std::string set = parameter("set", "string", "pantyhose");
   write_scene("strip", {{set, set + parameter("thickness", "double", "0")}});
-  expect_refused("scene > Materials > fabric: parameter \"thickness\" = 0");
+  expect_refused("scene > Materials > fabric: parameter \"thickness\" is out of range: 0 mm, allowed: > 0 mm");
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ using ::testing::Not;
 TEST(Modules, AreLeftOutUnlessNamed) {
   const auto scene = build(flat_scene());
   EXPECT_THAT(scene->used(), IsEmpty());
-  for (const char* name : {"body and contact", "seams", "sewing by continuation", "damping", "edge loads",
-                           "graduated fabric", "partition"})
+  for (const char* name :
+       {"body and contact", "seams", "sewing by continuation", "damping", "dead loads", "graduated fabric", "partition",
+        "shells", "follower pressure", "arc length continuation", "stability at every step"})
     EXPECT_THAT(scene->left_out(), Contains(name));
   EXPECT_EQ(scene->surface(), nullptr);
   EXPECT_EQ(scene->problem().surface, nullptr);
@@ -30,7 +31,7 @@ TEST(Modules, AreUsedWhenNamed) {
   ParameterList& table = list.sublist("Materials").sublist("knit").sublist("C10");
   table.set("position", reals({0, 1})).set("value", reals({0.01, 0.008}));
   const auto scene = build(list, 3);
-  for (const char* name : {"body and contact", "seams", "sewing by continuation", "damping", "edge loads",
+  for (const char* name : {"body and contact", "seams", "sewing by continuation", "damping", "dead loads",
                            "graduated fabric", "partition"}) {
     EXPECT_THAT(scene->used(), Contains(name));
     EXPECT_THAT(scene->left_out(), Not(Contains(name)));

@@ -116,10 +116,9 @@ TEST_P(EquilibriumOf, TangentIsTheDerivativeOfTheResidual) {
 TEST_P(EquilibriumOf, SolveInvertsTheTangent) {
   Fixture f(GetParam());
   Vector b(f.z->getMap()), step(f.z->getMap()), back(f.z->getMap());
-  f.equilibrium->set_damping(10.0);  // positive definite, so that no shift is added
+  f.equilibrium->seek_minimum(false);  // no shift is added
   Fixture::shake(b, 1e-3, 4);
   f.equilibrium->linearise(*f.z, f.s);
-  ASSERT_EQ(f.equilibrium->unshifted_negative_pivots(), 0);
   ASSERT_TRUE(f.equilibrium->solve(b, step));
   f.equilibrium->apply(step, back);
   back.update(-1.0, b, 1.0);

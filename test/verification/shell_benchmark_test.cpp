@@ -84,8 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "P/Pmax",
                   {{"A", 1, 1.0, "V_A"}, {"B", 0, -1.0, "minus_U_B"}},
                   0.01}),
-    [](const auto& info) {
-      std::string name = info.param.scene;
+    [](const auto& instance) {
+      std::string name = instance.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');
       return name;
     });
@@ -114,14 +114,14 @@ double distance(double x, double y, const std::vector<double>& xs, const std::ve
 TEST(ShellBenchmark, HingedRoofSnapsBackOnThePublishedCurve) {
   const auto table = read_table("shell/3.8d_hinged_roof_h6.35_iso.csv");
   const PointHistory history = follow_points(shipped_scene("benchmarks/hinged-roof.xml"));
-  constexpr double load_range = 0.2, deflection_range = 25.0;
+  constexpr double load_range = 0.2, deflection_range = 25.0;  // of the part that snaps
   std::vector<double> loads, deflections;
   for (size_t k = 0; k < history.load.size(); ++k) {
     loads.push_back(history.load[k] / load_range);
     deflections.push_back(-history.displacement.at("C")[k].z() / deflection_range);
   }
   double worst = 0.0;
-  for (size_t k = 0; k < table.at("P/Pmax").size(); ++k)
+  for (size_t k = 0; k < table.at("P/Pmax").size() && table.at("P/Pmax")[k] < 1.0; ++k)
     worst = std::max(worst, distance(table.at("P/Pmax")[k] / load_range, table.at("minus_W_C")[k] / deflection_range,
                                      loads, deflections));
   EXPECT_LT(worst, 0.01);

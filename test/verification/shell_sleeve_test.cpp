@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "verification/print.hpp"
 #include "verification/sleeve_scene.hpp"
@@ -29,8 +30,8 @@ SleeveOptions sleeve_of(int around, int along, const std::string& integration) {
   return o;
 }
 
-/// Largest relative error of the pressure away from the ends and from the seam, where the director is free to turn and
-/// bending makes an edge layer of width sqrt(R t), 8 mm.
+/// Largest relative error of the pressure away from the ends, where bending may make an edge layer of width sqrt(R t),
+/// 8 mm.
 double error_of(const Sleeve& sleeve, double expected) {
   constexpr double layers = 16.0;  // mm
   double low = 1e9, high = -1e9, worst = 0.0;
@@ -41,9 +42,8 @@ double error_of(const Sleeve& sleeve, double expected) {
   int counted = 0;
   for (int j = 0; j <= sleeve.along; ++j)
     for (int i = 0; i <= sleeve.around; ++i) {
-      const solve::Vec3 x = sleeve.position(i, j);
+      const solve::Vec3& x = sleeve.position(i, j);
       if (x.z() < low + layers || x.z() > high - layers) continue;
-      if ((x - sleeve.position(0, j)).norm() < layers) continue;
       const double error = 1e3 * sleeve.pressure(i, j) / expected - 1.0;
       if (std::abs(error) > std::abs(worst)) worst = error;
       ++counted;
@@ -53,21 +53,32 @@ double error_of(const Sleeve& sleeve, double expected) {
 }
 
 class ShellSleeve : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Rules, ShellSleeve, testing::Values("full", "reduced"));
 
-// The pressure of the shell converges with second order to that of a plane-stress shell on its inner face: 0.6 % with
-// 48 x 12 and 0.15 % with 96 x 24 elements.
-TEST_P(ShellSleeve, ConvergesToTheShellOnItsInnerFace) {
+// The pressure of the shell is within 0.6 % of that of a plane-stress shell on its inner face with 48 x 12 elements,
+// and within 0.15 % with 96 x 24.
+TEST_P(ShellSleeve, HasThePressureOfAShellOnItsInnerFace) {
   const double coarse = error_of(settle(sleeve_of(48, 12, GetParam())), per_middle);
   const double fine = error_of(settle(sleeve_of(96, 24, GetParam())), per_middle);
-  const double rate = std::log2(std::abs(coarse / fine));
-  print("shell sleeve, %-7s  48 x 12: error %.4f %%, 96 x 24: %.4f %%, rate %.3f\n", GetParam(), 100.0 * coarse,
-        100.0 * fine, rate);
+  print("shell sleeve, %-7s  48 x 12: error %.4f %%, 96 x 24: %.4f %%\n", GetParam(), 100.0 * coarse, 100.0 * fine);
   EXPECT_LT(std::abs(coarse), 0.006);
   EXPECT_LT(std::abs(fine), 0.0015);
-  EXPECT_GT(rate, 1.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, ShellSleeve, testing::Values("full", "reduced"));
+// It converges with second order.
+TEST(ShellSleeveMeshes, ConvergeWithSecondOrder) {
+  std::vector<double> pressure;  // in the middle, kPa
+  for (const int along : {6, 12, 24}) {
+    const Sleeve sleeve = settle(sleeve_of(4 * along, along, "full"));
+    pressure.push_back(1e3 * sleeve.pressure(2 * along, along / 2));
+  }
+  const double rate = std::log2((pressure[1] - pressure[0]) / (pressure[2] - pressure[1]));
+  const double limit = pressure[2] + (pressure[2] - pressure[1]) / 3.0;
+  print("shell sleeve: rate %.3f, extrapolated %.5f kPa, %.4f %% off the reference\n", rate, limit,
+        100.0 * (limit / per_middle - 1.0));
+  EXPECT_GT(rate, 1.9);
+  EXPECT_NEAR(limit, per_middle, 5e-4 * per_middle);
+}
 
 // The pressure can be written per area of the inner face; the written field is in balance all the same.
 TEST(ShellSleeve, PressurePerInnerArea) {

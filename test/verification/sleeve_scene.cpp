@@ -44,6 +44,18 @@ void add_support(ParameterList& scene, const std::string& edge, const std::strin
   support.set("hold", hold);
 }
 
+void add_directors(ParameterList& scene) {
+  ParameterList& supports = scene.sublist("Supports");
+  supports.sublist("directors")
+      .set("on", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("sleeve.bottom", "sleeve.top")))
+      .set("hold", "none")
+      .set("director", "held");
+  supports.sublist("seam")
+      .set("on", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("sleeve.left", "sleeve.right")))
+      .set("hold", "y")
+      .set("director", "symmetry");
+}
+
 }  // namespace
 
 std::vector<solve::Vec3> Sleeve::ring(int j) const {
@@ -83,6 +95,7 @@ ParameterList sleeve_list(const SleeveOptions& o) {
   seam.set("second", "sleeve.left");
   add_support(scene, "bottom", o.hold_bottom);
   add_support(scene, "top", o.hold_top);
+  if (!o.shell.empty()) add_directors(scene);
   ParameterList& contact = scene.sublist("Contact");
   contact.set("contact surface", o.inner_face ? "inner face" : "mid-surface");
   contact.set("pressure area", o.pressure_on_inner_face ? "inner face" : "mid-surface");

@@ -27,8 +27,10 @@ struct SleeveOptions {
   double relative_stiffness = 10.0;         ///< augmentation of contact
   bool inner_face = false;                  ///< contact half the thickness inside the mid-surface, not at it
   bool pressure_on_inner_face = false;      ///< pressure per area of the inner face
-  std::string shell;                        ///< integration of a shell: full, reduced; empty: a membrane
-  std::string set = "pantyhose";            ///< of the fabric's parameters
+  /// Integration of a shell: full, reduced; empty: a membrane. Seam and ends of a shell keep their directors, which a
+  /// tube without seam and ends would do, so that they make no edge layer of bending.
+  std::string shell;
+  std::string set = "pantyhose";  ///< of the fabric's parameters
 };
 
 /// The sleeve after one stage "settle".

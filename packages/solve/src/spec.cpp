@@ -157,7 +157,8 @@ ContactOptions read_contact(const List& list) {
 Spec supports_spec() {
   Spec support("support", "Nodes that are held in some directions.");
   support.words("on", "Names of edges (for instance front.top) or of whole panels (front).")
-      .choice("hold", "Directions that are held.", {"x", "y", "z", "xy", "xz", "yz", "xyz"})
+      .choice("hold", "Directions that are held; none: only \"director\".",
+              {"x", "y", "z", "xy", "xz", "yz", "xyz", "none"})
       .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0})
       .choice("director",
               "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), or symmetry (the panel stays "
@@ -177,7 +178,7 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
       s.nodes.insert(s.nodes.end(), nodes.begin(), nodes.end());
     }
     const std::string& hold = entry.word("hold");
-    for (int i = 0; i < 3; ++i) s.held[i] = hold.find("xyz"[i]) != std::string::npos;
+    for (int i = 0; i < 3; ++i) s.held[i] = hold != "none" && hold.find("xyz"[i]) != std::string::npos;
     s.displacement = vector_of(entry, "move by");
     for (int i = 0; i < 3; ++i)
       if (s.displacement[i] != 0.0 && !s.held[i])
@@ -186,6 +187,8 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
     s.director = director == "held"       ? DirectorSupport::held
                  : director == "symmetry" ? DirectorSupport::symmetry
                                           : DirectorSupport::free;
+    if (hold == "none" && s.director != DirectorSupport::held)
+      entry.fail("hold", "holds nothing: name a direction, or hold the director of a shell (\"director\" = held)");
     supports.push_back(s);
   }
   return supports;
