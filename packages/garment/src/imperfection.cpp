@@ -49,7 +49,7 @@ Offsets read_waves(const base::List& list, const mesh::Grid& grid) {
   if (count.size() != 2 || count[0] != std::floor(count[0]) || count[1] != std::floor(count[1])) {
     list.fail("half-waves", "needs two whole numbers, from left to right and from bottom to top");
   }
-  if (count[0] > grid.across / 2 || count[1] > grid.along / 2) {
+  if (2.0 * count[0] > grid.across || 2.0 * count[1] > grid.along) {
     list.fail("half-waves", "the mesh cannot show so many: a half-wave needs at least two elements");
   }
   return wave_offsets(grid, static_cast<int>(count[0]), static_cast<int>(count[1]));
