@@ -31,7 +31,7 @@ TEST_F(RunScene, PrintsProgressAndSummary) {
                          HasSubstr("sum over magnitudes: "), HasSubstr("dissipated by damping: ")));
   EXPECT_THAT(summary_line(out, "modules used: "),
               AllOf(HasSubstr("contact"), HasSubstr("seams"), HasSubstr("damping")));
-  EXPECT_THAT(summary_line(out, "modules left out: "), AllOf(HasSubstr("edge loads"), HasSubstr("partition")));
+  EXPECT_THAT(summary_line(out, "modules left out: "), AllOf(HasSubstr("dead loads"), HasSubstr("partition")));
   for (const char* phase : {"\nbody ", "\ngarment ", "\nsolve ", "\n  output ", "\ntotal "})
     EXPECT_THAT(out, HasSubstr(phase));
 }

@@ -58,7 +58,7 @@ class Batch {
 
   /// Relaxes the points that the law's W [n], S [3][n] and status [n] at C do not show to be taut.
   void relax(const double* W, const double* S, const std::uint8_t* status);
-  const std::vector<Loose>& loose() const { return loose_; }
+  const std::vector<Loose>& loose() const { return kept_loose; }
 
  private:
   bool is_taut(const Voigt& S) const;
@@ -80,12 +80,12 @@ class Batch {
   const double *C_, *params_;
   int stride_;
   // Kept from call to call: a batch of loose points is large.
-  static thread_local std::vector<Loose> loose_;
-  static thread_local Points points_;
+  static thread_local std::vector<Loose> kept_loose;
+  static thread_local Points kept_points;
 };
 
-thread_local std::vector<Loose> Batch::loose_;
-thread_local Points Batch::points_;
+thread_local std::vector<Loose> Batch::kept_loose;
+thread_local Points Batch::kept_points;
 
 /// F^T F of some F, up to rounding: a collapsed element is slack, not an error.
 bool is_strain(const Voigt& C) {
@@ -106,40 +106,41 @@ double Batch::compression(const Voigt& S) const {
 
 void Batch::find_loose(const double* W, const double* S, const std::uint8_t* status) {
   const auto n = static_cast<std::size_t>(n_);
-  loose_.clear();
+  kept_loose.clear();
   for (int k = 0; k < n_; ++k) {
     const Voigt C = {C_[k], C_[n + k], C_[2 * n + k]}, stress = {S[k], S[n + k], S[2 * n + k]};
     const bool admissible = status[k] != point_not_admissible;
     if (admissible ? !is_taut(stress) : is_strain(C))
-      loose_.push_back({k, C, admissible, W[k], stress, {}, WrinkleSearch({}, 0.0)});
+      kept_loose.push_back({k, C, admissible, W[k], stress, {}, WrinkleSearch({}, 0.0)});
   }
 }
 
-/// Fills points_ with what the law says at points_.C for the loose points `active`.
+/// Fills kept_points with what the law says at kept_points.C for the loose points `active`.
 void Batch::answer_law(const std::vector<int>& active) {
   const std::size_t n = active.size();
   const double* params = params_;
   if (stride_ != 0) {
-    points_.params.resize(static_cast<std::size_t>(law_.n_params()) * n);
+    kept_points.params.resize(static_cast<std::size_t>(law_.n_params()) * n);
     for (int p = 0; p < law_.n_params(); ++p)
       for (std::size_t k = 0; k < n; ++k)
-        points_.params[p * n + k] = params_[static_cast<std::size_t>(p) * n_ + loose_[active[k]].point];
-    params = points_.params.data();
+        kept_points.params[p * n + k] = params_[static_cast<std::size_t>(p) * n_ + kept_loose[active[k]].point];
+    params = kept_points.params.data();
   }
-  law_.evaluate(static_cast<int>(n), points_.C.data(), params, stride_, points_.W.data(), points_.S.data(),
-                points_.D.data(), points_.thickness_stretch.data(), points_.status.data());
+  law_.evaluate(static_cast<int>(n), kept_points.C.data(), params, stride_, kept_points.W.data(), kept_points.S.data(),
+                kept_points.D.data(), kept_points.thickness_stretch.data(), kept_points.status.data());
 }
 
 /// The natural tangent of each loose point, evaluated once if the parameters are uniform.
 void Batch::load_natural() {
-  std::vector<int> active(stride_ == 0 ? 1 : loose_.size());
+  std::vector<int> active(stride_ == 0 ? 1 : kept_loose.size());
   std::iota(active.begin(), active.end(), 0);
   const std::size_t n = active.size();
-  points_.resize(n);
-  std::fill_n(points_.C.begin(), 2 * n, 1.0);
-  std::fill_n(points_.C.begin() + static_cast<std::ptrdiff_t>(2 * n), n, 0.0);
+  kept_points.resize(n);
+  std::fill_n(kept_points.C.begin(), 2 * n, 1.0);
+  std::fill_n(kept_points.C.begin() + static_cast<std::ptrdiff_t>(2 * n), n, 0.0);
   answer_law(active);
-  for (std::size_t k = 0; k < loose_.size(); ++k) loose_[k].natural = points_.answer(n, stride_ == 0 ? 0 : k).D;
+  for (std::size_t k = 0; k < kept_loose.size(); ++k)
+    kept_loose[k].natural = kept_points.answer(n, stride_ == 0 ? 0 : k).D;
 }
 
 /// Start of the rank-one search: the wrinkles that leave a strip under tension its natural width if it were isotropic,
@@ -186,17 +187,17 @@ void Batch::start(Loose& loose) const {
 void Batch::search(std::vector<int> active) {
   while (!active.empty()) {
     const std::size_t n = active.size();
-    points_.resize(n);
+    kept_points.resize(n);
     for (std::size_t k = 0; k < n; ++k) {
-      const Loose& loose = loose_[active[k]];
+      const Loose& loose = kept_loose[active[k]];
       const Voigt& half_A = loose.search.trial();
-      points_.C[k] = loose.C[0] + 2.0 * half_A[0];
-      points_.C[n + k] = loose.C[1] + 2.0 * half_A[1];
-      points_.C[2 * n + k] = loose.C[2] + half_A[2];
+      kept_points.C[k] = loose.C[0] + 2.0 * half_A[0];
+      kept_points.C[n + k] = loose.C[1] + 2.0 * half_A[1];
+      kept_points.C[2 * n + k] = loose.C[2] + half_A[2];
     }
     answer_law(active);
-    for (std::size_t k = 0; k < n; ++k) loose_[active[k]].search.receive(points_.answer(n, k));
-    const auto is_done = [&](int k) { return loose_[k].search.done(); };
+    for (std::size_t k = 0; k < n; ++k) kept_loose[active[k]].search.receive(kept_points.answer(n, k));
+    const auto is_done = [&](int k) { return kept_loose[k].search.done(); };
     active.erase(std::remove_if(active.begin(), active.end(), is_done), active.end());
   }
 }
@@ -206,8 +207,8 @@ void Batch::search_other_families() {
   if (relaxation_ == Relaxation::slack_fibres) return;
   std::vector<int> wrong;
   std::vector<WrinkleSearch> first;
-  for (std::size_t k = 0; k < loose_.size(); ++k) {
-    Loose& loose = loose_[k];
+  for (std::size_t k = 0; k < kept_loose.size(); ++k) {
+    Loose& loose = kept_loose[k];
     if (!loose.search.failed() && loose.search.is_minimum()) continue;
     wrong.push_back(static_cast<int>(k));
     first.push_back(loose.search);
@@ -215,7 +216,7 @@ void Batch::search_other_families() {
   }
   search(wrong);
   for (std::size_t k = 0; k < wrong.size(); ++k) {
-    Loose& loose = loose_[wrong[k]];
+    Loose& loose = kept_loose[wrong[k]];
     // A slack state with A that is not >= 0 is no state at all.
     if (loose.search.family() == Family::full && !loose.search.is_minimum()) loose.search = first[k];
   }
@@ -223,14 +224,14 @@ void Batch::search_other_families() {
 
 void Batch::relax(const double* W, const double* S, const std::uint8_t* status) {
   find_loose(W, S, status);
-  if (loose_.empty()) return;
+  if (kept_loose.empty()) return;
   load_natural();
   const auto at_rest = [&](const Loose& loose) {
     return loose.admissible && compression(loose.S) <= taut_stress * (loose.natural[0] + loose.natural[1]);
   };
-  loose_.erase(std::remove_if(loose_.begin(), loose_.end(), at_rest), loose_.end());
-  for (Loose& loose : loose_) start(loose);
-  std::vector<int> all(loose_.size());
+  kept_loose.erase(std::remove_if(kept_loose.begin(), kept_loose.end(), at_rest), kept_loose.end());
+  for (Loose& loose : kept_loose) start(loose);
+  std::vector<int> all(kept_loose.size());
   std::iota(all.begin(), all.end(), 0);
   search(std::move(all));
   search_other_families();
