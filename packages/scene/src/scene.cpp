@@ -103,6 +103,9 @@ void Scene::build_laws(const base::List& list) {
     const material::Material& fabric = *materials_.at(garment_.materials[b]);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
     const std::optional<garment::ShellOptions>& shell = garment_.shells[b];
+    if (shell && fabric.graduated() && !shell->shear_modulus)
+      list.list("Panels").entries()[b].list("Shell").fail(
+          "shear modulus", "is not found from a graduated fabric; give it a value for the whole panel");
     if (shell && fabric.response().relaxes())
       list.list("Panels").entries()[b].fail(
           "material", "the fabric wrinkles (\"compression\" of \"" + fabric.name() +
@@ -161,12 +164,25 @@ void Scene::check_shells_of_moments(const base::List& loads) const {
 }
 
 void Scene::check_shells_of_supports(const base::List& supports) const {
-  for (const solve::Support& support : problem_.supports)
-    if (support.director != solve::DirectorSupport::free && !all_shells(support.nodes))
+  constexpr double least = 0.1;  // of the normal, in the planes of symmetry
+  for (const solve::Support& support : problem_.supports) {
+    if (support.director == solve::DirectorSupport::free) continue;
+    if (!all_shells(support.nodes))
       entry_of(supports, support.name)
           .fail("director",
-                "is for shells, and \"on\" names nodes of a membrane; give their "
-                "panel a list \"Shell\", or leave \"director\" out");
+                "is for shells, and \"on\" names nodes of a membrane; give their panel a list \"Shell\", or leave "
+                "\"director\" out");
+    for (const int node : support.nodes) {
+      solve::Vec3 normal = garment_.mesh.normal[node];
+      for (const solve::Vec3& plane : solve::symmetry_normals(problem_, node)) normal -= plane.dot(normal) * plane;
+      if (normal.norm() < least)
+        entry_of(supports, support.name)
+            .fail(
+                "director",
+                "\"symmetry\" needs held directions that lie in the panel, and one of these is along its normal; hold "
+                "that direction in a support of its own");
+    }
+  }
 }
 
 void Scene::list_modules(int ranks) {

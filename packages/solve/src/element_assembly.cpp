@@ -196,8 +196,10 @@ double ElementAssembly::find_frozen(const Configuration& at) {
     gather(part, at);
     part.next_frozen.resize(part.frozen.size());
     part.element->freeze(batch(part, 0, static_cast<int>(n)), part.next_frozen.data());
-    for (size_t k = 0; k < n * per; k += per)  // the first value is a thickness stretch
-      change = std::max(change, part.material->thickness() * std::abs(part.next_frozen[k] - part.frozen[k]));
+    const size_t points = static_cast<size_t>(part.element->points());
+    for (size_t k = 0; k < n * per; ++k)
+      if (k % per < points)  // the first values are the thickness stretches of the points
+        change = std::max(change, part.material->thickness() * std::abs(part.next_frozen[k] - part.frozen[k]));
   }
   return change;
 }

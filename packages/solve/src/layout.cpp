@@ -94,7 +94,8 @@ void Layout::number(const Problem& problem, const Held& all) {
   const std::vector<GlobalId> first = first_unknowns(problem, all);
   std::vector<int> local_node(problem.mesh->nodes(), -1);
   for (size_t n = 0; n < nodes.size(); ++n) local_node[nodes[n]] = static_cast<int>(n);
-  if (!all.rotation.empty()) rotation.assign(nodes.size(), {-1, -1});
+  shells_ = !all.rotation.empty();
+  if (shells_) rotation.assign(nodes.size(), {-1, -1});
 
   std::vector<GlobalId> columns;
   GlobalId id = 0;

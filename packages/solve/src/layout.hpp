@@ -43,7 +43,8 @@ class Layout {
 
   /// Unknowns of an element in the order of its formulation, -1 where held.
   void element_unknowns(const BlockPart& part, size_t element, std::vector<LocalId>& ids) const;
-  bool has_shells() const { return !rotation.empty(); }
+  /// The same on every rank, also on one without a node.
+  bool has_shells() const { return shells_; }
 
   RCP<const Comm> comm;
   std::vector<int> clusters;  ///< local -> global cluster
@@ -59,6 +60,8 @@ class Layout {
   RCP<const Import> importer;  ///< dof_map -> overlap_map
 
  private:
+  bool shells_ = false;
+
   void find_local(const Problem& problem);
   std::vector<GlobalId> first_unknowns(const Problem& problem, const Held& all) const;
   void number(const Problem& problem, const Held& all);

@@ -163,10 +163,6 @@ void Simulation::Data::build() {
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
   reached = 0.0;
-  pivots = -1;
-  last_direction = 1.0;
-  s_counted = 0.0;
-  z_counted = z;
   equilibrium->start_step(*z, 0.0);
 }
 
@@ -182,6 +178,10 @@ void Simulation::Data::assemble(const State& from, const std::vector<bool>& guid
   }
   equilibrium = std::make_shared<Equilibrium>(problem, from, held, drive, options, comm);
   z = equilibrium->start_vector();
+  pivots = -1;
+  last_direction = 1.0;
+  s_counted = 0.0;
+  z_counted = z;
   equilibrium->seek_minimum(!stage.arc_length);
   equilibrium->set_first_step(stage.first_step);
   statistics.unknowns = static_cast<int>(equilibrium->map()->getGlobalNumElements());
@@ -288,10 +288,14 @@ void Simulation::Data::count_pivots(double s, StepReport& report) {
   equilibrium->set_damping(damping);
   report.negative_pivots = equilibrium->unshifted_negative_pivots();
   if (pivots >= 0 && report.negative_pivots >= 0 && report.negative_pivots != pivots) {
-    report.critical = direction * last_direction < 0.0 ? CriticalPoint::limit : CriticalPoint::bifurcation;
+    report.critical = !stage.arc_length                  ? CriticalPoint::unclassified
+                      : direction * last_direction < 0.0 ? CriticalPoint::limit
+                                                         : CriticalPoint::bifurcation;
     std::ostringstream note;
-    note << "stage \"" << stage.name
-         << "\": " << (report.critical == CriticalPoint::limit ? "a limit point" : "a bifurcation")
+    note << "stage \"" << stage.name << "\": "
+         << (report.critical == CriticalPoint::limit         ? "a limit point"
+             : report.critical == CriticalPoint::bifurcation ? "a bifurcation"
+                                                             : "a limit point, a bifurcation or a change of contact")
          << " was passed between load " << pivots_load << " and " << report.load << " (negative pivots " << pivots
          << " -> " << report.negative_pivots << ")";
     notes.push_back(note.str());
@@ -403,7 +407,7 @@ std::string Simulation::Data::failure() const {
             "state was kept, and its pressures must not be read as final.";
   else
     text += ", and no step of it was accepted.";
-  return text + (stage.damping.active ? "" : " Try damping.");
+  return text + (stage.damping.active || stage.arc_length ? "" : " Try damping.");
 }
 
 void Simulation::Data::judge(const StepReport& last) {
@@ -476,8 +480,8 @@ void Simulation::Data::march() {
   else
     message << "load " << state.load << " of " << stage.target;
   message << ", after " << cut_backs << " cut-backs at that point (\"smallest step\" " << stage.smallest_step
-          << ", \"most steps\" " << stage.max_steps
-          << "). Try a smaller \"smallest step\" or more steps, damping, or a start nearer to the end.";
+          << ", \"most steps\" " << stage.max_steps << "). Try a smaller \"smallest step\" or more steps"
+          << (stage.arc_length ? ", or a target that lies on the path." : ", damping, or a start nearer to the end.");
   throw base::SolveError(message.str());
 }
 

@@ -26,8 +26,9 @@ struct ForceBalance {
 /// What lies between an accepted step and the one before, told by a change of the number of negative pivots.
 enum class CriticalPoint {
   none,
-  limit,       ///< the load turned back
-  bifurcation  ///< the load went on: another path branches off
+  limit,        ///< the load turned back
+  bifurcation,  ///< the load went on: another path branches off
+  unclassified  ///< natural continuation jumps over what lies between its steps
 };
 
 /// One accepted step.
