@@ -89,7 +89,7 @@ void Hourglass::deform(const ShellNodes<4>& nodes, const ShellPoint<4>& centre) 
   for (double& component : q_d_) component *= l_;
   for (int a = 0; a < 2; ++a) {
     strain_[a] = dot(centre.a[a], q_);
-    curvature_[a] = dot(centre.a[a], q_d_) + dot(centre.d[a], q_) - reference_strain_[a];
+    curvature_[a] = dot(centre.a[a], q_d_) + dot(centre.straight[a], q_) - reference_strain_[a];
   }
   set_slopes(centre);
 }
@@ -100,7 +100,7 @@ void Hourglass::set_slopes(const ShellPoint<4>& centre) {
       for (int c = 0; c < 3; ++c) {
         const double slope = g_[a][i] * q_[c] + gamma_[i] * centre.a[a][c];
         strain_slope_[a][i][c] = slope;
-        curvature_slope_[a][i][c] = g_[a][i] * q_d_[c] + gamma_[i] * centre.d[a][c];
+        curvature_slope_[a][i][c] = g_[a][i] * q_d_[c] + gamma_[i] * centre.straight[a][c];
         curvature_slope_[a][i][3 + c] = l_ * slope;
       }
     }
