@@ -5,7 +5,8 @@
 // Isotropic elasticity that is linear in the principal logarithmic strains e1, e2 (Hencky, Z. techn. Phys. 9 (1928)
 // 215-220), in plane stress:
 //   W = Y/(2 (1 - nu^2)) (e1^2 + e2^2 + 2 nu e1 e2) = Y/4 [(e1 + e2)^2/(1 - nu) + (e1 - e2)^2/(1 + nu)],
-// with e1 + e2 = ln(det C)/2 and e1 - e2 = atanh(sqrt(q)), q = (difference over sum of the eigenvalues of C)^2.
+// with e1 + e2 = ln(det C)/2 and |e1 - e2| = atanh(sqrt(q)), q = (difference over sum of the eigenvalues of C)^2, and
+// e3 = -nu/(1 - nu) (e1 + e2) through the thickness: incompressible for nu = 1/2.
 
 namespace toile::material::hencky {
 
@@ -31,13 +32,11 @@ U squared_atanh_of_root(const U& q) {
 
 struct Law {
   static constexpr const char* name = "hencky";
-  static constexpr const char* text =
-      "Isotropic, linear between the logarithmic strain and the stress conjugate to it; keeps its volume by its "
-      "thickness.";
+  static constexpr const char* text = "Isotropic, linear in the logarithmic strain (Hencky) and compressible.";
   enum { young, poisson };
   static constexpr std::array<ParamInfo, 2> info = {
-      {{"Young's modulus", "MPa", "Kirchhoff stress over logarithmic strain of a pulled strip.",
-        no_default, 0.0, infinity, 1},
+      {{"Young's modulus", "MPa", "Kirchhoff stress over logarithmic strain of a pulled strip.", no_default, 0.0,
+        infinity, 1},
        {"Poisson's ratio", "", "Lateral over axial logarithmic strain of a pulled strip, its sign turned.", no_default,
         -1.0, 0.5, 1}}};
 
@@ -51,6 +50,12 @@ struct Law {
     const P quarter = 0.25 * p[young];
     const P of_sum = 0.25 * quarter / (1.0 - p[poisson]), of_difference = quarter / (1.0 + p[poisson]);
     return of_sum * twice_sum * twice_sum + of_difference * apart;
+  }
+
+  template <class T, class P>
+  static T thickness_stretch(const PlaneC<T>& c, const Params<P>& p) {
+    const P exponent = -0.5 * p[poisson] / (1.0 - p[poisson]);
+    return power(c.det, exponent);
   }
 };
 
