@@ -108,6 +108,28 @@ TEST_P(ShellRotation, EndMomentRollsStripToCircle) {
   EXPECT_LT(std::hypot(roll.tip()[0], roll.tip()[2]), 0.02 * Roll::length);
 }
 
+// A director that turns by up to 60 degrees from one side of a single element to the other bends it by that angle over
+// its length, not by the chord: the energy is that of a plate with this curvature, within 1e-4.
+TEST_P(ShellRotation, CurvatureFollowsTheGreatCircle) {
+  constexpr double length = 10.0, thickness = 0.01;
+  PlaneMesh mesh;
+  mesh.nodes_per_element = GetParam()->nodes();
+  mesh.nodes = {{0.0, 0.0}, {length, 0.0}, {length, length}, {0.0, length}};
+  mesh.connectivity = {0, 1, 2, 3};
+  if (mesh.nodes_per_element == 3) mesh.connectivity = {0, 1, 3};
+  Arrays shells = flat_shells(mesh, *GetParam(), closed_neo_hookean(), 0.4);
+  shells.thickness = thickness;
+  const double area = mesh.nodes_per_element == 3 ? 0.5 * length * length : length * length;
+  const double plate = 8.0 * shells.law.params[0] * std::pow(thickness, 3) / 12.0;
+  for (const double degrees : {1.0, 20.0, 60.0}) {
+    const double angle = degrees * std::acos(-1.0) / 180.0;
+    for (std::size_t k = 0; k < mesh.connectivity.size(); ++k)
+      shells.x[5 * k + 3] = mesh.nodes[mesh.connectivity[k]][0] > 0.0 ? 0.5 * angle : -0.5 * angle;
+    const double curvature = angle / length, expected = 0.5 * plate * curvature * curvature * area;
+    EXPECT_NEAR(evaluate(shells).energy[0] / expected, 1.0, 1e-4) << degrees;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ShellRotation, ::testing::ValuesIn(shells()),
                          [](const auto& test) { return std::string(test.param->name()); });
 

@@ -99,8 +99,9 @@ inline std::vector<Case> cases() {
     }
   const MaterialV1& itskov = law("itskov");
   all.push_back({"itskov swapped", &itskov, with(itskov, values("itskov", "t-shirt"), "swap axes", 1.0)});
-  for (const std::vector<double>& params : {std::vector<double>{0.08, 0.3}, {0.08, -0.4}, {0.08, 0.5}})
-    all.push_back({"isotropic-elastic " + std::to_string(params[1]), &law("isotropic-elastic"), params});
+  for (const char* name : {"hencky", "isotropic-elastic"})
+    for (const std::vector<double>& params : {std::vector<double>{0.08, 0.3}, {0.08, -0.4}, {0.08, 0.5}})
+      all.push_back({name + (" " + std::to_string(params[1])), &law(name), params});
   return all;
 }
 

@@ -40,11 +40,12 @@ double value(const Material& material, const std::string& name, double position 
 
 // The registry lists what is built in, in alphabetical order, and finds each by its name.
 TEST(Registry, lists_and_finds) {
-  ASSERT_EQ(registry().size(), 4u);
-  EXPECT_STREQ(registry()[0]->name, "isotropic-elastic");
-  EXPECT_STREQ(registry()[1]->name, "itskov");
-  EXPECT_STREQ(registry()[2]->name, "neo-hookean");
-  EXPECT_STREQ(registry()[3]->name, "rebar");
+  ASSERT_EQ(registry().size(), 5u);
+  EXPECT_STREQ(registry()[0]->name, "hencky");
+  EXPECT_STREQ(registry()[1]->name, "isotropic-elastic");
+  EXPECT_STREQ(registry()[2]->name, "itskov");
+  EXPECT_STREQ(registry()[3]->name, "neo-hookean");
+  EXPECT_STREQ(registry()[4]->name, "rebar");
   for (const MaterialV1* material : registry()) {
     EXPECT_EQ(find(material->name), material);
     EXPECT_EQ(material->abi, material_abi);

@@ -48,6 +48,7 @@ PlainFad<S, N> along(const PlainFad<S, N>& x, const F& f) {
 
 }  // namespace toile::material
 
+#include "toile/material/hencky.hpp"
 #include "toile/material/isotropic_elastic.hpp"
 #include "toile/material/itskov.hpp"
 #include "toile/material/neo_hookean.hpp"

@@ -69,7 +69,7 @@ TEST(States, orthotropic) {
 // An incompressible fabric keeps its volume: the thickness stretch is 1 over the area stretch.
 TEST(States, thickness) {
   for (const Case& test : cases()) {
-    if (test.law == &law("isotropic-elastic")) continue;
+    if (test.law == &law("isotropic-elastic") || test.law == &law("hencky")) continue;
     EXPECT_NEAR(evaluate(*test.law, test.params, {1.44, 2.25, 0.3}).thickness_stretch,
                 1.0 / std::sqrt(1.44 * 2.25 - 0.09), 1e-15);
   }

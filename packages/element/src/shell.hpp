@@ -150,6 +150,7 @@ double Shell<Nodes, Edges, Points, ShearPoints, Control>::add_points(const Chunk
       response.pick(response.D, at, scale, D);
       resultants.add_stiffness(z, p, S, D);
     }
+    resultants.refer_to_directors(point, with_tangent);
     resultants.spread_force(point, system);
     if (with_tangent) resultants.spread_stiffness(point, system);
   }

@@ -1,3 +1,4 @@
+#include "toile/material/hencky.hpp"
 #include "toile/material/isotropic_elastic.hpp"
 #include "toile/material/itskov.hpp"
 #include "toile/material/neo_hookean.hpp"
@@ -8,8 +9,8 @@ namespace toile::material {
 const std::vector<const MaterialV1*>& registry() {
   // One explicit list, because a static library drops objects that register themselves. A new material: its header
   // above and its line here, in alphabetical order.
-  static constexpr MaterialV1 laws[] = {make_law<isotropic_elastic::Law>(), make_law<itskov::Law>(),
-                                        make_law<neo_hookean::Law>(), make_law<rebar::Law>()};
+  static constexpr MaterialV1 laws[] = {make_law<hencky::Law>(), make_law<isotropic_elastic::Law>(),
+                                        make_law<itskov::Law>(), make_law<neo_hookean::Law>(), make_law<rebar::Law>()};
   static const std::vector<const MaterialV1*> list = [] {
     std::vector<const MaterialV1*> pointers;
     for (const MaterialV1& law : laws) pointers.push_back(&law);
