@@ -39,7 +39,7 @@ std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const St
   if (state.frame.empty()) return {};
   std::vector<std::array<bool, 2>> held;
   for (const bool is_shell : shell_nodes(problem)) held.push_back({!is_shell, !is_shell});
-  constexpr double along = 0.9;  // a tangent that start_frame laid along the normal of the plane
+  constexpr double along = 0.9;  // a tangent that start_frames laid along the normal of the plane
   for (const Support& support : problem.supports) {
     if (support.director == DirectorSupport::free || released.count(support.name)) continue;
     for (const int node : support.nodes)
