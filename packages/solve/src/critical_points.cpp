@@ -31,7 +31,7 @@ std::string CriticalPoints::count(Equilibrium& equilibrium, const Vector& z, dou
                                   StepReport& report) {
   const double damping = equilibrium.damping();
   equilibrium.set_damping(0.0);
-  equilibrium.start_step(z, s);
+  equilibrium.renew_factorisation();
   double direction = 1.0;
   if (arc_length) {
     Vector step(z, Teuchos::Copy);
@@ -41,6 +41,7 @@ std::string CriticalPoints::count(Equilibrium& equilibrium, const Vector& z, dou
     equilibrium.linearise(z, s);
   }
   equilibrium.set_damping(damping);
+  if (damping > 0.0) equilibrium.renew_factorisation();  // the one just made is not of the damped tangent
   report.negative_pivots = equilibrium.unshifted_negative_pivots();
   std::ostringstream note;
   if (pivots_ >= 0 && report.negative_pivots >= 0 && report.negative_pivots != pivots_) {

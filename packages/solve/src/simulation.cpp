@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -12,8 +14,10 @@
 #include "critical_points.hpp"
 #include "damping.hpp"
 #include "held.hpp"
+#include "notes.hpp"
 #include "null_motion.hpp"
 #include "toile/base/error.hpp"
+#include "toile/solve/loss_of_ellipticity.hpp"
 
 namespace toile::solve {
 
@@ -24,7 +28,8 @@ struct Simulation::Data {
   Observer observer;
   State state;
   SolveStatistics statistics;
-  std::vector<std::string> notes, warnings;
+  Notes notes;
+  std::vector<std::string> warnings;
   std::set<std::string> released;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   bool started = false;
@@ -36,11 +41,12 @@ struct Simulation::Data {
   std::shared_ptr<Equilibrium> equilibrium;
   RCP<Vector> z;
   std::vector<NullMotion> pinned;
-  size_t earlier_notes = 0;  ///< of the stages before
   int earlier_steps = 0;
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
+  bool lost_ellipticity = false;
+  std::optional<Attempt> failed;  ///< the last one
 
   Data(const Problem& p, const SolverOptions& o)
       : problem(p), options(o), comm(Tpetra::getDefaultComm()), state(placed_state(p)) {}
@@ -55,7 +61,9 @@ struct Simulation::Data {
   bool conclude();
   void check_pins();
   void count_linear_work();
-  std::string failure() const;
+  std::string failure();
+  std::string material_failure();
+  void watch_ellipticity(const StepReport& report);
   void judge(const StepReport& last);
   void march();
   SolveAt solver() {
@@ -88,7 +96,7 @@ const SolveStatistics& Simulation::statistics() const {
   return data_->statistics;
 }
 const std::vector<std::string>& Simulation::notes() const {
-  return data_->notes;
+  return data_->notes.all();
 }
 const std::vector<std::string>& Simulation::warnings() const {
   return data_->warnings;
@@ -99,7 +107,9 @@ void Simulation::Data::build() {
   drive = {state.seam, state.seam, state.load, state.load};
   if (stage.type == StageType::sew) drive.seam_end = stage.target;
   if (stage.type == StageType::load) drive.load_end = stage.target;
-  earlier_notes = notes.size();
+  notes.start_stage();
+  lost_ellipticity = false;
+  failed.reset();
   earlier_steps = statistics.steps;
   assemble(state, near_body(problem, state));
   equilibrium->update_thickness(*z, 0.0, 0.0);
@@ -113,11 +123,12 @@ void Simulation::Data::build() {
 void Simulation::Data::assemble(const State& from, const std::vector<bool>& guided) {
   Held held = held_by_supports(problem, from, released);
   pinned = find_null_motions(problem, from, held, drive.seam_end >= 1.0, guided);
-  notes.resize(earlier_notes);
+  std::vector<std::string> pins;
   for (const NullMotion& motion : pinned) {
     held.position[motion.cluster][motion.component] = {true, from.position[motion.cluster][motion.component], 0.0, -1};
-    notes.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
+    pins.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
   }
+  notes.set_pins(pins);
   equilibrium = std::make_shared<Equilibrium>(problem, from, held, drive, options, comm);
   z = equilibrium->start_vector();
   critical.start(z);
@@ -158,7 +169,10 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
   equilibrium->start_step(*z, s);
-  if (undamped || stage.stability_every_step) count_pivots(s, report);
+  if (undamped || stage.stability_every_step) {
+    count_pivots(s, report);
+    watch_ellipticity(report);
+  }
   if (equilibrium->damping() > 0.0 && moved) adapt_damping(*equilibrium, stage.damping, largest_energy, now);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   iterations = cut_backs = 0;
@@ -168,14 +182,17 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
 
 void Simulation::Data::count_pivots(double s, StepReport& report) {
   const std::string passed = critical.count(*equilibrium, *z, s, stage.arc_length, report);
-  if (!passed.empty()) notes.push_back(where() + passed);
+  if (!passed.empty()) notes.add(where() + passed);
 }
 
 bool Simulation::Data::solve(double s) {
   const Attempt attempt = solve_at(equilibrium, stage, options.newton, *z, s);
   iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;
-  if (attempt.converged) z = attempt.z;
+  if (attempt.converged)
+    z = attempt.z;
+  else
+    failed = attempt;
   return attempt.converged;
 }
 
@@ -242,14 +259,37 @@ void Simulation::Data::check_pins() {
   throw base::SolveError(message.str());
 }
 
-std::string Simulation::Data::failure() const {
+// Whether the material is why a stage fails: in the last converged state, or where the last attempt gave up.
+std::string Simulation::Data::material_failure() {
+  if (statistics.steps > earlier_steps) {
+    const LossOfEllipticity loss = find_loss_of_ellipticity(problem, state);
+    if (loss.found()) return " In the last converged state " + loss.text() + ".";
+  }
+  if (!failed || !std::isfinite(failed->z->norm2())) return {};
+  const LossOfEllipticity loss = find_loss_of_ellipticity(problem, equilibrium->state(*failed->z, failed->s));
+  return loss.found() ? " Where the last attempt gave up, " + loss.text() + "." : std::string();
+}
+
+// A step that is looked at for its stability is looked at for the material's too.
+void Simulation::Data::watch_ellipticity(const StepReport& report) {
+  if (!report.undamped && lost_ellipticity) return;
+  const LossOfEllipticity loss = find_loss_of_ellipticity(problem, state);
+  if (!loss.found()) return;
+  if (report.undamped)
+    warnings.push_back(where() + "in its final state " + loss.text());
+  else
+    notes.add(where() + "at load " + std::to_string(report.load) + " " + loss.text());
+  lost_ellipticity = true;
+}
+
+std::string Simulation::Data::failure() {
   std::string text = where() + "no undamped equilibrium was found at its end";
   if (statistics.steps > earlier_steps)
     text += std::string("; the last converged ") + (stage.damping.active ? "(damped) " : "") +
             "state was kept, and its pressures must not be read as final.";
   else
     text += ", and no step of it was accepted.";
-  return text + (stage.damping.active || stage.arc_length ? "" : " Try damping.");
+  return text + (stage.damping.active || stage.arc_length ? "" : " Try damping.") + material_failure();
 }
 
 void Simulation::Data::judge(const StepReport& last) {
@@ -267,9 +307,12 @@ void Simulation::Data::record(const Attempt& attempt) {
   if (!attempt.converged) {
     ++cut_backs;
     ++statistics.cut_backs;
+    failed = attempt;
     return;
   }
   z = attempt.z;
+  constexpr double round_off = 1e-12;
+  if (attempt.s > 1.0 + round_off) return;  // along the arc LOCA oversteps the end and comes back to it
   accept(attempt.s, attempt.imbalance, false);
   equilibrium->update_thickness(*z, attempt.s, 0.0);
 }
@@ -288,7 +331,8 @@ void Simulation::Data::march() {
     message << "load " << state.load << " of " << stage.target;
   message << ", after " << cut_backs << " cut-backs at that point (\"smallest step\" " << stage.smallest_step
           << ", \"most steps\" " << stage.max_steps << "). Try a smaller \"smallest step\" or more steps"
-          << (stage.arc_length ? ", or a target that lies on the path." : ", damping, or a start nearer to the end.");
+          << (stage.arc_length ? ", or a target that lies on the path." : ", damping, or a start nearer to the end.")
+          << material_failure();
   throw base::SolveError(message.str());
 }
 
