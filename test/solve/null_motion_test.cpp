@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "notes.hpp"
 #include "stages.hpp"
 
 namespace toile::test {
@@ -41,6 +42,20 @@ double independence(const Sleeve& sleeve, const std::vector<NullMotion>& motions
     pinned.row(static_cast<Eigen::Index>(k)) = g.row(motions[k].component);
   }
   return std::sqrt((pinned * pinned.transpose()).determinant());
+}
+
+// A stage that ends with other pins than it started with keeps its other notes, and those of the stages before.
+TEST(Notes, PinsAreExchangedAndNothingElse) {
+  solve::Notes notes;
+  notes.set_pins({"first stage's pin"});
+  notes.add("first stage's limit point");
+  notes.start_stage();
+  notes.set_pins({"a", "b", "c"});
+  notes.add("limit point");
+  notes.set_pins({"d"});
+  notes.add("bifurcation");
+  EXPECT_EQ(notes.all(), (std::vector<std::string>{"first stage's pin", "first stage's limit point", "d", "limit point",
+                                                   "bifurcation"}));
 }
 
 // A sleeve without supports slides along the cylinder and spins on it: two motions with two names, and two pins that

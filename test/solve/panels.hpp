@@ -66,6 +66,32 @@ struct Panels {
     problem.element_rank.emplace_back(static_cast<size_t>(across * along), rank);
   }
 
+  /// Makes all panels shells whose directors start along z.
+  void make_shells(double shear_modulus) {
+    mesh.normal.assign(mesh.placed.size(), solve::Vec3::UnitZ());
+    for (solve::BlockLaw& law : problem.laws) {
+      law.element = element::find("shell4");
+      law.shell = {3, shear_modulus, false};
+    }
+  }
+
+  /// Holds some nodes where they are placed.
+  void hold_nodes(const std::vector<int>& nodes, const std::array<bool, 3>& held) {
+    problem.supports.push_back({"support" + std::to_string(problem.supports.size()), nodes, held, {0.0, 0.0, 0.0}});
+  }
+
+  /// Holds all nodes against leaving their plane z = 0, and those of the outline where they are.
+  void hold_outline(int panel) {
+    std::vector<int> all, outline;
+    for (int j = 0; j <= along; ++j)
+      for (int i = 0; i <= across; ++i) {
+        all.push_back(node(panel, i, j));
+        if (i == 0 || i == across || j == 0 || j == along) outline.push_back(all.back());
+      }
+    hold_nodes(all, {false, false, true});
+    hold_nodes(outline, {true, true, false});
+  }
+
   /// Holds one side of a panel, i = 0 or i = across, in all directions.
   void hold(int panel, int i) {
     solve::Support support{

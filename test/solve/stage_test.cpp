@@ -1,12 +1,13 @@
 // What a stage promises at its end, and what it says where it cannot.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "panels.hpp"
+#include "recorded.hpp"
 #include "stages.hpp"
-#include "toile/base/error.hpp"
-#include "toile/solve/simulation.hpp"
 
 namespace toile::test {
 namespace {
@@ -15,18 +16,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// A simulation with the reports of its steps.
-struct Recorded {
-  solve::Simulation simulation;
-  std::vector<solve::StepReport> reports;
-
-  explicit Recorded(const solve::Problem& problem, const solve::SolverOptions& solver = {})
-      : simulation(problem, solver) {
-    simulation.observe([this](const solve::StepReport& r, const solve::State&) { reports.push_back(r); });
-  }
-  const solve::StepReport& last() const { return reports.back(); }
-};
 
 solve::StageOptions damped_sewing() {
   solve::StageOptions sew = stage(solve::StageType::sew);
@@ -41,15 +30,6 @@ double settled_pressure(const Sleeve::Options& o) {
   run.simulation.set_start(closed_start(closed.problem));
   run.simulation.run(stage(solve::StageType::settle));
   return mid_pressure(closed, run.simulation.state(), o.around, o.along);
-}
-
-std::string failure_of(solve::Simulation& simulation, const solve::StageOptions& options) {
-  try {
-    simulation.run(options);
-  } catch (const base::SolveError& error) {
-    return error.what();
-  }
-  return "no failure";
 }
 
 // A sleeve that starts off the body is held against the motions that the body does not resist yet; once it presses,
@@ -67,6 +47,56 @@ TEST(Stage, PinsOfTheStartAreGoneAtTheEnd) {
   const double expected = settled_pressure(o);
   for (int i = 0; i <= o.around; ++i)
     EXPECT_NEAR(fields.pressure[static_cast<size_t>(o.along / 2 * (o.around + 1) + i)], expected, 1e-6 * expected) << i;
+}
+
+// Counting negative pivots at every step of a damped stage changes nothing but the number of factorisations: the steps
+// go on with those of the damped tangent.
+TEST(Stage, CountingPivotsDoesNotChangeADampedPath) {
+  const Sleeve::Options o = options(12, 6);
+  std::vector<solve::SolveStatistics> statistics;
+  for (const bool every_step : {false, true}) {
+    Sleeve open(o, neo_hookean());
+    open_up(open, o, 60.0);
+    Recorded run(open.problem);
+    solve::StageOptions sew = damped_sewing();
+    sew.damping.fraction = 2e-2;
+    sew.stability_every_step = every_step;
+    run.simulation.run(sew);
+    for (const solve::StepReport& r : run.reports) EXPECT_EQ(r.negative_pivots >= 0, every_step || r.undamped);
+    statistics.push_back(run.simulation.statistics());
+  }
+  EXPECT_EQ(statistics[1].newton_iterations, statistics[0].newton_iterations);
+  EXPECT_EQ(statistics[1].linear_iterations, statistics[0].linear_iterations);
+  EXPECT_GT(statistics[1].factorisations, statistics[0].factorisations);
+}
+
+// Along the arc no step is recorded beyond the target, and a critical point close to it is noted once: a flat sheet is
+// pulled from compression into tension.
+TEST(Stage, ArcLengthRecordsNothingBeyondTheTarget) {
+  for (const double beyond : {0.02, 0.1, 0.4}) {
+    Panels sheet(neo_hookean());
+    sheet.add(solve::Vec3::Zero(), solve::Vec3(0.95, 0.0, 0.0), solve::Vec3(0.0, 1.0, 0.0), 0);
+    sheet.hold(0, 0);
+    sheet.hold(0, Panels::across);
+    sheet.problem.supports[1].displacement[0] = 0.05 * Panels::size * Panels::across * (1.0 + beyond);
+    Recorded run(sheet.problem);
+    solve::StageOptions pull = stage(solve::StageType::load);
+    pull.arc_length = pull.stability_every_step = true;
+    run.simulation.run(pull);
+    for (const solve::StepReport& r : run.reports) EXPECT_LE(r.load, 1.0 + 1e-12);
+    EXPECT_NEAR(run.last().load, 1.0, 1e-12);
+    EXPECT_GT(run.reports.front().negative_pivots, 0);
+    EXPECT_EQ(run.last().negative_pivots, 0);
+    double before = -1.0;
+    for (const std::string& note : run.simulation.notes()) {
+      double from = 0.0, to = 0.0;
+      ASSERT_EQ(std::sscanf(note.substr(note.find("load ")).c_str(), "load %lf and %lf", &from, &to), 2) << note;
+      EXPECT_GE(from, before) << note;
+      EXPECT_GT(to, from) << note;
+      before = to;
+    }
+    EXPECT_GE(run.simulation.notes().size(), 1u);
+  }
 }
 
 // A load along a motion that nothing resists has no equilibrium: the run says so instead of letting a pin carry it.

@@ -165,6 +165,7 @@ void Scene::check_shells_of_moments(const base::List& loads) const {
 
 void Scene::check_shells_of_supports(const base::List& supports) const {
   constexpr double least = 0.1;  // of the normal, in the planes of symmetry
+  const std::vector<std::array<bool, 3>> planes = solve::symmetry_planes(problem_);
   for (const solve::Support& support : problem_.supports) {
     if (support.director == solve::DirectorSupport::free) continue;
     if (!all_shells(support.nodes))
@@ -174,7 +175,8 @@ void Scene::check_shells_of_supports(const base::List& supports) const {
                 "\"director\" out");
     for (const int node : support.nodes) {
       solve::Vec3 normal = garment_.mesh.normal[node];
-      for (const solve::Vec3& plane : solve::symmetry_normals(problem_, node)) normal -= plane.dot(normal) * plane;
+      for (Eigen::Index i = 0; i < 3; ++i)
+        if (planes[node][static_cast<size_t>(i)]) normal[i] = 0.0;
       if (normal.norm() < least)
         entry_of(supports, support.name)
             .fail(

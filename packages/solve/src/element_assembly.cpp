@@ -12,6 +12,9 @@ constexpr int chunk = 128;  // elements a call: the buffers of one call stay in 
 }
 
 ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, const Graph& graph) : layout_(layout) {
+  const auto is_curved = [](const BlockLaw& law) { return law.shell.placed_reference; };
+  const bool curved = std::any_of(problem.laws.begin(), problem.laws.end(), is_curved);
+  const std::vector<Frame> start = curved ? start_frames(problem) : std::vector<Frame>();
   for (const Layout::BlockPart& local : layout.blocks) {
     const mesh::Block& block = problem.mesh->blocks[local.block];
     Part part{};
@@ -29,7 +32,7 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
         part.pattern.insert(part.pattern.end(), {p[0], p[1]});
         if (!part.shell.placed_reference) continue;
         const int node = block.connectivity[static_cast<size_t>(e) * part.nodes + i];
-        for (const Vec3& v : {problem.mesh->placed[node], start_frame(problem, node).row(2).transpose().eval()})
+        for (const Vec3& v : {problem.mesh->placed[node], start[node].row(2).transpose().eval()})
           part.reference.insert(part.reference.end(), v.data(), v.data() + 3);
       }
       if (part.material->graduated()) {

@@ -90,7 +90,9 @@ void Equilibrium::find_frames() {
   elements_.adopt_frozen();
 }
 
-// Means of the undamped start tangent and of the lumped area: the measures of contact stiffness and damping.
+// Means of the undamped start tangent and of the lumped area: the measures of contact stiffness, damping and shifts. A
+// rotation counts as the displacement that it makes at the distance of two nodes; the means are of displacements where
+// there are free ones.
 void Equilibrium::scale() {
   const RCP<Vector> z = start_vector();
   positions(*z, 0.0);
@@ -99,8 +101,9 @@ void Equilibrium::scale() {
   double* values = local.values.data();
   std::fill_n(values, local.values.extent(0), 0.0);
   elements_.evaluate(at_, drive_.load(0.0), values);
-  double diagonal = 0.0, squared = 0.0, mass = 0.0, rows = 0.0;
-  for (int c = 0; c < layout_.owned_clusters; ++c)
+  double diagonal = 0.0, squared = 0.0, mass = 0.0, rows = 0.0, all_mass = 0.0;
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    all_mass += cluster_mass_[c];
     for (int i = 0; i < 3; ++i)
       if (diagonal_[c][i][i] >= 0) {
         const double entry = values[diagonal_[c][i][i]];
@@ -109,10 +112,20 @@ void Equilibrium::scale() {
         mass += cluster_mass_[c];
         rows += 1.0;
       }
-  const double count = std::max(1.0, sum(rows));
-  mean_diagonal_ = sum(diagonal) / count;
+  }
+  const double count = sum(rows);
+  mean_mass_ = count > 0.0 ? sum(mass) / count : sum(all_mass) / static_cast<double>(problem_.clusters.size());
+  double turning = 0.0, rotations = 0.0;
+  for (const auto& places : rotation_diagonal_)
+    for (const std::int64_t place : places)
+      if (place >= 0) {
+        const double entry = values[place] / mean_mass_;
+        turning += entry;
+        squared += entry * entry;
+        rotations += 1.0;
+      }
+  mean_diagonal_ = count > 0.0 ? sum(diagonal) / count : sum(turning) / std::max(1.0, sum(rotations));
   diagonal_norm_ = std::sqrt(sum(squared));
-  mean_mass_ = sum(mass) / count;
   stiffness_ = problem_.contact.relative_stiffness * std::abs(mean_diagonal_);
 }
 

@@ -77,6 +77,8 @@ class Equilibrium {
   /// Elements of all ranks outside the calibrated range of their fabric, at the last residual.
   int extrapolated() const { return extrapolated_; }
   const LinearSolver& linear() const { return linear_; }
+  /// The next tangent is factorised afresh.
+  void renew_factorisation() { want_fresh_ = true; }
 
   // Damping and offsets: changed only between steps.
   /// x_n of the damping, frames of the directors, thickness of shells; the tangent will be factorised afresh.
@@ -121,6 +123,7 @@ class Equilibrium {
   void add_shift(double factor, double* values) const;
   std::vector<double> wanted_offsets();
   void add_directors(State& state) const;
+  double moment_magnitudes(const ElementAssembly::Sums& sums, double s) const;
   void scale();
   std::vector<double> damping_force(double s) const;
   void add_contact_tangent(const Vector& z, double s, double* values);
@@ -160,8 +163,9 @@ class Equilibrium {
   State start_;
   std::vector<double> offset_;  ///< [owned cluster] mm
   double stiffness_ = 0.0;      ///< augmentation of contact, N/mm
-  double mean_diagonal_ = 0.0, mean_mass_ = 0.0;
-  double diagonal_norm_ = 0.0;  ///< of the start's tangent over all free components, N/mm
+  double mean_diagonal_ = 0.0;
+  double mean_mass_ = 0.0;      ///< mm^2; its root is the lever that makes moments comparable to forces
+  double diagonal_norm_ = 0.0;  ///< of the start's tangent over all free unknowns, N/mm
   double strain_energy_ = 0.0;
   int unshifted_pivots_ = -1;
   double last_shift_ = 0.0;

@@ -140,10 +140,6 @@ void EquilibriumGroup::setParam(std::string id, double value) {
   parameters_.setValue(id, value);
 }
 
-void EquilibriumGroup::preProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus) {
-  hooks_->before(tpetra(*x_), parameter());
-}
-
 void EquilibriumGroup::postProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus status) {
   hooks_->after(tpetra(*x_), parameter(), status == LOCA::Abstract::Iterator::Successful);
 }

@@ -13,7 +13,6 @@ namespace toile::solve {
 
 /// What the stage wants to know of LOCA's progress.
 struct StepHooks {
-  std::function<void(const Vector& z, double s)> before;                 ///< a step starts from z
   std::function<void(const Vector& z, double s, bool converged)> after;  ///< a step ended at z
 };
 
@@ -59,7 +58,6 @@ class EquilibriumGroup : public LOCA::Abstract::Group {
   const LOCA::ParameterVector& getParams() const override { return parameters_; }
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string id) const override { return parameters_.getValue(id); }
-  void preProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus status) override;
   void postProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus status) override;
   void projectToDraw(const NOX::Abstract::Vector&, double*) const override {}
   int projectToDrawDimension() const override { return 0; }

@@ -197,6 +197,19 @@ void Equilibrium::add_directors(State& state) const {
   }
 }
 
+// Sum of the magnitudes of dead moments and of those that held rotations carry, N mm, of this rank.
+double Equilibrium::moment_magnitudes(const ElementAssembly::Sums& sums, double s) const {
+  double total = 0.0;
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    total += std::abs(drive_.load(s)) * moment_[n].lpNorm<1>();
+    for (int k = 0; k < 2; ++k)
+      if (layout_.rotation[n][k] < 0)
+        total += std::abs(sums.moment[2 * n + k] - drive_.load(s) * moment_[n].dot(moment_axis(n, k)));
+  }
+  return total;
+}
+
 ForceBalance Equilibrium::balance(const Vector& z, double s) {
   positions(z, s);
   const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
@@ -225,6 +238,7 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
       mine.back() += std::abs(reaction);
       if (held.support < 0) mine[count - 2] += std::abs(reaction);
     }
+  mine.back() += moment_magnitudes(sums, s) / std::sqrt(mean_mass_);
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(), all.data());
   const auto row = [&](size_t k) { return Vec3(all[3 * k], all[3 * k + 1], all[3 * k + 2]); };
   ForceBalance b;
@@ -234,7 +248,9 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   b.pins = row(pin_row);
   for (size_t k = 0; k < problem_.supports.size(); ++k) b.support.push_back(row(support_row + k));
   b.pin_magnitude = all[count - 2];
-  b.magnitude = all.back();
+  // What 1e-4 mm at every node would take is the least that counts: at rest there are only forces of rounded positions.
+  constexpr double resting = 1e-4;
+  b.magnitude = std::max(all.back(), resting * diagonal_norm_);
   return b;
 }
 

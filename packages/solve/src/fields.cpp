@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "block_arrays.hpp"
 #include "toile/contact/normal_contact.hpp"
 
 namespace toile::solve {
@@ -76,66 +77,15 @@ struct PointMean {
   }
 };
 
-/// Arrays of one whole block in the layout of element::Batch.
-struct BlockArrays {
-  std::vector<double> pattern, x, params;
-  std::vector<double> frames, reference, frozen;  // of shells
-  element::Batch batch;
-};
-
-void add_shell(const Problem& problem, const mesh::Block& block, const BlockLaw& law, const State& state,
-               BlockArrays& a) {
-  for (const int n : block.connectivity) {
-    a.frames.insert(a.frames.end(), state.frame[n].data(), state.frame[n].data() + 9);
-    if (!law.shell.placed_reference) continue;
-    const Vec3 director = start_frame(problem, n).row(2);
-    for (const Vec3* v : {&problem.mesh->placed[n], &director})
-      a.reference.insert(a.reference.end(), v->data(), v->data() + 3);
-  }
-  a.batch.frames = a.frames.data();
-  a.batch.reference = a.reference.empty() ? nullptr : a.reference.data();
-  a.batch.layers = law.shell.layers;
-  a.batch.shear_modulus = law.shell.shear_modulus;
-  a.frozen.resize(static_cast<size_t>(block.size()) * static_cast<size_t>(law.element->frozen_values()));
-  law.element->freeze(a.batch, a.frozen.data());
-  a.batch.frozen = a.frozen.data();
-}
-
-void fill_arrays(const Problem& problem, size_t b, const State& state, const std::vector<Vec3>& position,
-                 BlockArrays& a) {
-  const mesh::Block& block = problem.mesh->blocks[b];
-  const BlockLaw& law = problem.laws[b];
-  for (const int n : block.connectivity) {
-    a.pattern.insert(a.pattern.end(), {problem.mesh->pattern[n][0], problem.mesh->pattern[n][1]});
-    a.x.insert(a.x.end(), position[n].data(), position[n].data() + 3);
-    if (law.is_shell()) a.x.insert(a.x.end(), {0.0, 0.0});
-  }
-  a.params = law.material->graduated() ? std::vector<double>() : law.material->params();
-  for (int e = 0; e < block.size() && law.material->graduated(); ++e) {
-    const std::vector<double> values = law.material->params_at(block.position[e]);
-    a.params.insert(a.params.end(), values.begin(), values.end());
-  }
-  a.batch.n = block.size();
-  a.batch.pattern = a.pattern.data();
-  a.batch.x = a.x.data();
-  a.batch.wale_angle = block.wale_angle.data();
-  a.batch.response = &law.material->response();
-  a.batch.params = a.params.data();
-  a.batch.graduated = law.material->graduated();
-  a.batch.thickness = law.material->thickness();
-  if (law.is_shell()) add_shell(problem, block, law, state, a);
-}
-
 void add_block(const Problem& problem, size_t b, const State& state, Fields& out) {
   const mesh::Block& block = problem.mesh->blocks[b];
   const BlockLaw& law = problem.laws[b];
-  BlockArrays arrays;
-  fill_arrays(problem, b, state, out.position, arrays);
+  const BlockArrays arrays(problem, b, state, out.position);
   std::vector<double> areas(block.connectivity.size());
-  law.element->nodal_areas(arrays.batch, areas.data());
+  law.element->nodal_areas(arrays.batch(), areas.data());
   for (size_t i = 0; i < areas.size(); ++i) out.area[block.connectivity[i]] += areas[i];
 
-  const element::PointFields points = law.element->fields(arrays.batch);
+  const element::PointFields points = law.element->fields(arrays.batch());
   const size_t per = static_cast<size_t>(law.element->points());
   std::vector<NamedField> fields;
   for (const std::string& name : element_field_names(problem))
@@ -198,14 +148,12 @@ std::vector<std::string> element_field_names(const Problem& problem) {
 Fields compute_fields(const Problem& problem, const State& state) {
   const size_t nodes = static_cast<size_t>(problem.mesh->nodes());
   Fields out;
-  out.position.resize(nodes);
+  out.position = node_positions(problem, state);
   out.pressure.assign(nodes, 0.0);
   out.gap.assign(nodes, 0.0);
   out.normal.assign(nodes, Vec3::Zero());
   out.area.assign(nodes, 0.0);
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (const int n : problem.clusters[c]) out.position[n] = node_position(problem, state, static_cast<int>(c), n);
   for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, state, out);
   if (problem.surface != nullptr) add_contact(problem, state, out);
   return out;

@@ -22,8 +22,7 @@ State placed_state(const Problem& problem) {
   const std::vector<bool> shell = shell_nodes(problem);
   if (std::find(shell.begin(), shell.end(), true) == shell.end()) return state;
   state.rotation.assign(shell.size(), {0.0, 0.0});
-  for (int n = 0; n < problem.mesh->nodes(); ++n)
-    state.frame.push_back(shell[n] ? start_frame(problem, n) : Frame::Identity());
+  state.frame = start_frames(problem);
   return state;
 }
 
@@ -34,28 +33,43 @@ std::vector<bool> shell_nodes(const Problem& problem) {
   return shell;
 }
 
-std::vector<Vec3> symmetry_normals(const Problem& problem, int node) {
-  std::vector<Vec3> normals;
-  for (const Support& support : problem.supports)
-    if (support.director == DirectorSupport::symmetry &&
-        std::find(support.nodes.begin(), support.nodes.end(), node) != support.nodes.end())
-      for (int i = 0; i < 3; ++i)
-        if (support.held[i]) normals.push_back(Vec3::Unit(i));
-  return normals;
+std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem) {
+  std::vector<std::array<bool, 3>> planes(problem.mesh->nodes(), {false, false, false});
+  for (const Support& support : problem.supports) {
+    if (support.director != DirectorSupport::symmetry) continue;
+    for (const int node : support.nodes)
+      for (size_t i = 0; i < 3; ++i) planes[node][i] = planes[node][i] || support.held[i];
+  }
+  return planes;
 }
 
-Frame start_frame(const Problem& problem, int node) {
-  Vec3 d = problem.mesh->normal[node];
-  const std::vector<Vec3> planes = symmetry_normals(problem, node);
-  for (const Vec3& n : planes) d -= n.dot(d) * n;
+namespace {
+
+Frame start_frame(const Vec3& normal, const std::array<bool, 3>& planes) {
+  Vec3 d = normal;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (planes[static_cast<size_t>(i)]) d[i] = 0.0;
   d.normalize();
-  Eigen::Index smallest = 0;
-  d.cwiseAbs().minCoeff(&smallest);
-  const Vec3 wanted = planes.empty() ? Vec3::Unit(smallest).eval() : planes.front();
+  Eigen::Index along = 0;
+  d.cwiseAbs().minCoeff(&along);
+  const auto* plane = std::find(planes.begin(), planes.end(), true);
+  if (plane != planes.end()) along = plane - planes.begin();
+  const Vec3 wanted = Vec3::Unit(along);
   const Vec3 t1 = (wanted - wanted.dot(d) * d).normalized();
   Frame frame;
   frame << t1.transpose(), d.cross(t1).transpose(), d.transpose();
   return frame;
+}
+
+}  // namespace
+
+std::vector<Frame> start_frames(const Problem& problem) {
+  const std::vector<bool> shell = shell_nodes(problem);
+  const std::vector<std::array<bool, 3>> planes = symmetry_planes(problem);
+  std::vector<Frame> frames(shell.size(), Frame::Identity());
+  for (size_t n = 0; n < shell.size(); ++n)
+    if (shell[n]) frames[n] = start_frame(problem.mesh->normal[n], planes[n]);
+  return frames;
 }
 
 Frame rotated(const Frame& frame, double w1, double w2) {

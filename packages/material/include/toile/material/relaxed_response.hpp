@@ -26,6 +26,7 @@ class RelaxedResponse final : public Response {
                double* thickness_stretch, std::uint8_t* status) const override;
   double natural_shear_modulus(const double* params) const override { return law_.natural_shear_modulus(params); }
   bool relaxes() const override { return true; }
+  double residual_stiffness() const override { return residual_; }
   void wrinkles(int n, const double* C, const double* params, int param_stride, WrinkleState* state,
                 double* direction) const override;
 

@@ -26,6 +26,8 @@ class Response {
 
   /// Whether fabric wrinkles instead of carrying compression. If not, it is taut everywhere.
   virtual bool relaxes() const { return false; }
+  /// Stiffness that wrinkles keep, over that of the natural state.
+  virtual double residual_stiffness() const { return 0.0; }
   /// state [n] and direction [2][n] of the wrinkles' crests in the material frame: a unit vector of the reference,
   /// zero where the fabric is not wrinkled (slack fabric has no direction) or not admissible.
   virtual void wrinkles(int n, const double* C, const double* params, int param_stride, WrinkleState* state,

@@ -106,11 +106,11 @@ Vec3 node_position(const Problem& problem, const State& state, int cluster, int 
 /// support demands symmetry they lie in its plane, with t_1 normal to it.
 State placed_state(const Problem& problem);
 
-/// Normals of the planes of symmetry that a node's director must stay in.
-std::vector<Vec3> symmetry_normals(const Problem& problem, int node);
+/// [node][direction]: whether a node's director must stay in the plane of symmetry with this normal.
+std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem);
 
-/// The frame of a shell's node at the start, see placed_state.
-Frame start_frame(const Problem& problem, int node);
+/// [node] frames of the shells' nodes at the start, see placed_state; the identity at other nodes.
+std::vector<Frame> start_frames(const Problem& problem);
 
 /// Nodes of shells, [node].
 std::vector<bool> shell_nodes(const Problem& problem);

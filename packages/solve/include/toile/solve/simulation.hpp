@@ -19,7 +19,9 @@ struct ForceBalance {
   Vec3 damping = Vec3::Zero();
   Vec3 pins = Vec3::Zero();    ///< of what is held against null motions; at the end of a stage they carry nothing
   double pin_magnitude = 0.0;  ///< sum of the magnitudes of the pins' forces
-  double magnitude = 0.0;      ///< sum of the magnitudes of the nodal forces, pins included
+  /// Sum of the magnitudes of the nodal forces, pins included, and of the moments over the distance of two nodes. Not
+  /// less than the forces that round-off leaves would need to count.
+  double magnitude = 0.0;
   Vec3 sum() const;            ///< without the pins, so that a force that nothing real carries shows
 };
 

@@ -1,0 +1,67 @@
+#include "damping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::solve {
+
+double fallback_damping(const Equilibrium& equilibrium, double first_step) {
+  return 1e-4 * std::abs(equilibrium.mean_tangent_diagonal()) / equilibrium.mean_mass() * first_step;
+}
+
+void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve) {
+  constexpr int rounds = 3;
+  constexpr double next_to_nothing = 1e-12;  // of stiffness times step squared
+  equilibrium.set_damping(fallback_damping(equilibrium, stage.first_step));
+  const RCP<Vector> before = z;
+  bool converged = solve(0.0);
+  const RCP<Vector> first = z;
+  equilibrium.start_step(*first, 0.0);
+  for (int round = 0; round < rounds && converged; ++round) {
+    z = first;
+    converged = solve(stage.first_step);
+    const double now = equilibrium.dissipation(*z, stage.first_step), c = equilibrium.damping();
+    const double step_squared = now * stage.first_step / (c * equilibrium.mean_mass());
+    const double energy = equilibrium.strain_energy(), wanted = stage.damping.fraction * energy;
+    const double least = next_to_nothing * std::abs(equilibrium.mean_tangent_diagonal()) * step_squared;
+    if (!converged || now <= 0.0 || energy <= least || std::abs(std::log2(wanted / now)) < 1.0) break;
+    equilibrium.set_damping(c * wanted / now);
+  }
+  z = before;
+  equilibrium.start_step(*z, 0.0);
+}
+
+void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double dissipated) {
+  const double wanted = options.fraction * largest_energy;
+  if (dissipated <= 0.0 || wanted <= 0.0) return;
+  equilibrium.set_damping(equilibrium.damping() * std::clamp(wanted / dissipated, 0.2, 5.0));
+}
+
+std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
+                                   const SolveAt& solve) {
+  constexpr int most_steps = 40;
+  const double unit = fallback_damping(equilibrium, stage.first_step);
+  const double last = 1e-6 * unit, largest = 1e8 * unit;
+  double coefficient = 100.0 * unit, dissipated = 0.0;
+  for (int k = 0; k < most_steps && coefficient > last; ++k) {
+    if (coefficient > largest) return std::nullopt;
+    equilibrium.set_damping(coefficient);
+    equilibrium.start_step(*z, 1.0);
+    const bool converged = solve(1.0);
+    if (converged) dissipated += equilibrium.dissipation(*z, 1.0);
+    coefficient *= converged ? 0.1 : 100.0;
+  }
+  equilibrium.start_step(*z, 1.0);
+  return dissipated;
+}
+
+double undamped_residual(Equilibrium& equilibrium, const Vector& z, double s) {
+  const double damping = equilibrium.damping();
+  equilibrium.set_damping(0.0);
+  Vector f(z.getMap());
+  equilibrium.residual(z, s, f);
+  equilibrium.set_damping(damping);
+  return equilibrium.imbalance(f).relative();
+}
+
+}  // namespace toile::solve

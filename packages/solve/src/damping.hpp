@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "equilibrium.hpp"
+
+namespace toile::solve {
+
+/// Brings the stage's state to equilibrium at the parameter s; false: it could not, and the state is as it was.
+using SolveAt = std::function<bool(double s)>;
+
+/// Damping where there is no energy to measure (flat, floating panels): its diagonal is 1e-4 of the mean tangent
+/// diagonal (DESIGN "Stabilisation").
+double fallback_damping(const Equilibrium& equilibrium, double first_step);
+
+/// Sets the damping with which the stage's first step dissipates the wanted share of its strain energy, found by trying
+/// that step: a softer one moves further, so it is tried again. `z`: what `solve` moves; it ends where it was.
+void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve);
+
+/// Towards the wanted share of the largest strain energy, from what the last step dissipated (N mm).
+void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double dissipated);
+
+/// Damped steps at the end of the stage, each from where the last one ended: the damping fades by tens, and grows by a
+/// hundred where a step fails. Returns what they dissipated, N mm; nothing: no damping was enough.
+std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
+                                   const SolveAt& solve);
+
+/// Relative force residual at (z, s) without the damping force.
+double undamped_residual(Equilibrium& equilibrium, const Vector& z, double s);
+
+}  // namespace toile::solve
