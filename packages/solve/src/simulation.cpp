@@ -24,50 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
-                                                         const std::set<std::string>& released) {
-  std::vector<int> cluster_of(problem.mesh->nodes());
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
-  std::vector<std::array<HeldComponent, 3>> held(problem.clusters.size());
-  for (size_t s = 0; s < problem.supports.size(); ++s) {
-    const Support& support = problem.supports[s];
-    if (released.count(support.name)) continue;
-    for (const int node : support.nodes)
-      for (int i = 0; i < 3; ++i) {
-        if (!support.held[i]) continue;
-        HeldComponent& h = held[cluster_of[node]][i];
-        if (h.held && h.displacement != support.displacement[i])
-          throw base::InputError("supports contradict each other: support \"" + support.name + "\" moves node " +
-                                 std::to_string(node) + " by " + std::to_string(support.displacement[i]) +
-                                 " mm in direction " + "xyz"[i] + ", another support by " +
-                                 std::to_string(h.displacement) + " mm");
-        h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i],
-             static_cast<int>(s)};
-      }
-  }
-  return held;
-}
-
-/// Which rotations the supports hold: all of a clamp, and those out of a plane of symmetry.
-std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const State& state,
-                                                const std::set<std::string>& released) {
-  if (state.frame.empty()) return {};
-  std::vector<std::array<bool, 2>> held;
-  for (const bool is_shell : shell_nodes(problem)) held.push_back({!is_shell, !is_shell});
-  constexpr double along = 0.9;  // a tangent that start_frame laid along the normal of the plane
-  for (const Support& support : problem.supports) {
-    if (support.director == DirectorSupport::free || released.count(support.name)) continue;
-    for (const int node : support.nodes)
-      for (Eigen::Index k = 0; k < 2; ++k)
-        for (Eigen::Index d = 0; d < 3; ++d)
-          if (support.director == DirectorSupport::held ||
-              (support.held[static_cast<size_t>(d)] && std::abs(state.frame[node](k, d)) > along))
-            held[node][static_cast<size_t>(k)] = true;
-  }
-  return held;
-}
-
 }  // namespace
 
 struct Simulation::Data {
@@ -168,11 +124,14 @@ void Simulation::Data::build() {
 
 // The equations of the stage, from a state whose motions the `guided` clusters resist.
 void Simulation::Data::assemble(const State& from, const std::vector<bool>& guided) {
-  Held held{held_positions(problem, released), held_rotations(problem, from, released)};
+  Held held = find_held(problem, from, released);
   pinned = find_null_motions(problem, from, held, drive.seam_end >= 1.0, guided);
   notes.resize(earlier_notes);
   for (const NullMotion& motion : pinned) {
-    held.position[motion.cluster][motion.component] = {true, from.position[motion.cluster][motion.component], 0.0, -1};
+    HeldComponent pin;
+    pin.held = true;
+    pin.base = from.position[motion.cluster][motion.component];
+    held.position[motion.cluster][motion.component] = pin;
     notes.push_back("stage \"" + stage.name + "\": nothing resists a " + motion.name +
                     "; one component of one node is held against it");
   }
@@ -375,7 +334,7 @@ bool Simulation::Data::conclude() {
   for (int round = 0; round < most_rounds; ++round) {
     if (!come_to_rest()) return false;
     const State now = equilibrium->state(*z, 1.0);
-    const Held held{held_positions(problem, released), held_rotations(problem, now, released)};
+    const Held held = find_held(problem, now, released);
     const std::vector<bool> guided = in_contact(now);
     if (find_null_motions(problem, now, held, drive.seam_end >= 1.0, guided).size() == pinned.size()) return true;
     count_linear_work();
