@@ -62,7 +62,7 @@ TEST(Reach, IsUnknownWhereASupportTurnsOutOfIt) {
   bottom.set("hold", std::string("xyz")).set("turn by", 20.0);
   EXPECT_THAT(build(list)->surface()->summary(), HasSubstr("triangles in reach of the panels"));
   bottom.set("axis direction", reals({1, 0, 0}));
-  EXPECT_THAT(build(list)->surface()->summary(), testing::Not(HasSubstr("in reach")));
+  EXPECT_THAT(build(list)->surface()->summary(), testing::Not(HasSubstr("in reach of the panels")));
 }
 
 // A list Reach goes before what the panels say.

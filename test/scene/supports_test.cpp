@@ -97,11 +97,12 @@ TEST(TurningSupport, ContradictsASupportThatStays) {
     EXPECT_NO_THROW(build(scene));  // along the axis
     scene.sublist("Supports").sublist("left").set("hold", std::string("y"));
     scene.sublist("Supports").sublist("left").set("on", Teuchos::Array<std::string>(1, "tube.top"));
-    EXPECT_THAT(input_error(scene),
-                testing::AllOf(HasSubstr("scene > Supports > left: parameter \"move by\" = {0, 0, 0}: contradicts "
-                                         "support \"hub\": both hold the node at ("),
-                               HasSubstr(" mm in y, but \"left\" moves it by 0 mm and \"hub\" by "),
-                               HasSubstr(" mm (on a circle); give both the same movement in y")));
+    EXPECT_THAT(
+        input_error(scene),
+        testing::AllOf(HasSubstr("scene > Supports > left: parameter \"move by\" = {0, 0, 0} (default): contradicts "
+                                 "support \"hub\": both hold the node at ("),
+                       HasSubstr(" mm in y, but \"left\" moves it by 0 mm and \"hub\" by "),
+                       HasSubstr(" mm (on a circle); give both the same movement in y")));
   }
 }
 
