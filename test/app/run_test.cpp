@@ -115,6 +115,42 @@ TEST_F(RunScene, IsTheSameInParallel) {
   EXPECT_THAT(summary_line(ranks.out, "modules used: "), HasSubstr("partition"));
 }
 
+// A support that turns leaves its torque in torques.csv, in the history and in the summary, over its angle; fabric that
+// wrinkles tells its residual stiffness and how much of it is taut, wrinkled and slack.
+TEST_F(RunScene, ReportsTorqueAndWrinkles) {
+  write_scene("strip", {{"<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>",
+                         "<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>"
+                         "<Parameter name=\"compression\" type=\"string\" value=\"tension field\"/>"},
+                        {"<Parameter name=\"move by\" type=\"Array(double)\" value=\"{0, 20, 0}\"/>",
+                         "<Parameter name=\"turn by\" type=\"double\" value=\"10\"/>"
+                         "<Parameter name=\"axis point\" type=\"Array(double)\" value=\"{25, 0, 0}\"/>"},
+                        {"<Parameter name=\"support\" type=\"string\" value=\"upper clamp\"/>",
+                         "<Parameter name=\"support\" type=\"string\" value=\"lower clamp\"/>"}});
+  const Outcome run = toile("run scene.xml");
+  EXPECT_EQ(run.status, 0) << run.err;
+  double taut = -1.0, wrinkled = -1.0, slack = -1.0, torque = 0.0;
+  const std::string panel = summary_line(run.out, "panel \"strip\": ");
+  EXPECT_THAT(panel, HasSubstr("tension field, residual stiffness 0.0001 of that of undeformed fabric; of its area "));
+  ASSERT_EQ(std::sscanf(panel.c_str(), "%*[^;]; of its area %lf %% taut, %lf %% wrinkled, %lf %% slack", &taut,
+                        &wrinkled, &slack),
+            3)
+      << panel;
+  EXPECT_GT(wrinkled, 1.0);
+  EXPECT_NEAR(taut + wrinkled + slack, 100.0, 0.2);
+  EXPECT_THAT(summary_line(run.out, "smallest principal stress: "),
+              HasSubstr("(what the residual stiffness of wrinkled fabric leaves)"));
+  const std::string clamp = summary_line(run.out, "support \"upper clamp\" ");
+  ASSERT_EQ(std::sscanf(clamp.c_str(), "%*[^N]N, turned by 10 deg with a torque of %lf N mm about (0, 0, 1)", &torque),
+            1)
+      << clamp;
+  EXPECT_GT(torque, 0.0);
+  const std::string csv = read("results/scene/torques.csv");
+  EXPECT_THAT(csv, ::testing::StartsWith("step,load,upper clamp: angle [deg],upper clamp: torque [N mm]\n1,0,0,"));
+  const std::string last = csv.substr(csv.rfind(",10,") + 4);
+  EXPECT_NEAR(std::stod(last), torque, 1e-5 * torque) << csv;
+  EXPECT_THAT(read("results/scene/history.h5"), HasSubstr("torque_upper_clamp"));
+}
+
 // A check of the scene that does not hold ends the run with its own status, after the results are written.
 TEST_F(RunScene, FailsACheck) {
   write_scene("sleeve", {{"\"force balance\"", "\"largest pressure\""}, {"1e-6", "1e-3"}});

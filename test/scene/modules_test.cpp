@@ -13,9 +13,9 @@ using ::testing::Not;
 TEST(Modules, AreLeftOutUnlessNamed) {
   const auto scene = build(flat_scene());
   EXPECT_THAT(scene->used(), IsEmpty());
-  for (const char* name :
-       {"body and contact", "seams", "sewing by continuation", "damping", "dead loads", "graduated fabric", "partition",
-        "shells", "follower pressure", "arc length continuation", "stability at every step"})
+  for (const char* name : {"body and contact", "seams", "sewing by continuation", "damping", "dead loads",
+                           "graduated fabric", "partition", "shells", "follower pressure", "arc length continuation",
+                           "stability at every step", "relaxed fabric", "turning supports"})
     EXPECT_THAT(scene->left_out(), Contains(name));
   EXPECT_EQ(scene->surface(), nullptr);
   EXPECT_EQ(scene->problem().surface, nullptr);
@@ -36,6 +36,13 @@ TEST(Modules, AreUsedWhenNamed) {
     EXPECT_THAT(scene->used(), Contains(name));
     EXPECT_THAT(scene->left_out(), Not(Contains(name)));
   }
+}
+
+// Fabric whose compression is relaxed is a module of its own.
+TEST(Modules, RelaxedFabricIsUsedWhenNamed) {
+  ParameterList list = flat_scene();
+  list.sublist("Materials").sublist("knit").set("compression", std::string("tension field"));
+  EXPECT_THAT(build(list)->used(), Contains("relaxed fabric"));
 }
 
 // On several ranks every rank gets elements, and each cluster belongs to a rank that has an element touching it.

@@ -55,6 +55,16 @@ TEST(Reach, GrowsWithTheSupportsMovement) {
   EXPECT_GT(moved->surface()->triangles(1.0).triangles.size(), still->surface()->triangles(1.0).triangles.size());
 }
 
+// A support that turns about the panels' axis leaves the reach as it is; about another one it may get anywhere.
+TEST(Reach, IsUnknownWhereASupportTurnsOutOfIt) {
+  ParameterList list = two_legs();
+  ParameterList& bottom = list.sublist("Supports").sublist("bottom");
+  bottom.set("hold", std::string("xyz")).set("turn by", 20.0);
+  EXPECT_THAT(build(list)->surface()->summary(), HasSubstr("triangles in reach of the panels"));
+  bottom.set("axis direction", reals({1, 0, 0}));
+  EXPECT_THAT(build(list)->surface()->summary(), testing::Not(HasSubstr("in reach of the panels")));
+}
+
 // A list Reach goes before what the panels say.
 TEST(Reach, IsTakenFromTheListIfThereIsOne) {
   ParameterList list = two_legs();

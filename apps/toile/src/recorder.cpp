@@ -12,6 +12,7 @@
 #include "toile/result/plot.hpp"
 #include "toile/result/pressure_lines.hpp"
 #include "toile/result/state_file.hpp"
+#include "torques.hpp"
 
 namespace toile::app {
 
@@ -21,36 +22,44 @@ namespace {
 const std::vector<std::string> element_units = {"",     "",     "",    "",   "MPa", "MPa", "MPa", "MPa", "MPa",
                                                 "N/mm", "N/mm", "MPa", "mm", "",    "",    "",    "",    ""};
 
-const std::vector<result::FieldName> global_names = {{"load", ""},
-                                                     {"seam_closing", ""},
-                                                     {"strain_energy", "N mm"},
-                                                     {"dissipated_energy", "N mm"},
-                                                     {"dissipation_ratio", ""},
-                                                     {"iterations", ""},
-                                                     {"cut_backs", ""},
-                                                     {"residual", ""},
-                                                     {"undamped_residual", ""},
-                                                     {"largest_gap", "mm"},
-                                                     {"negative_pivots", ""},
-                                                     {"critical_point", ""},
-                                                     {"undamped", ""},
-                                                     {"wall_time", "s"}};
+std::vector<result::FieldName> global_names(const solve::Problem& problem) {
+  std::vector<result::FieldName> names = {{"load", ""},
+                                          {"seam_closing", ""},
+                                          {"strain_energy", "N mm"},
+                                          {"dissipated_energy", "N mm"},
+                                          {"dissipation_ratio", ""},
+                                          {"iterations", ""},
+                                          {"cut_backs", ""},
+                                          {"residual", ""},
+                                          {"undamped_residual", ""},
+                                          {"largest_gap", "mm"},
+                                          {"negative_pivots", ""},
+                                          {"critical_point", ""},
+                                          {"undamped", ""},
+                                          {"wall_time", "s"}};
+  const std::vector<result::FieldName> of_supports = torque_names(problem);
+  names.insert(names.end(), of_supports.begin(), of_supports.end());
+  return names;
+}
 
-std::vector<double> global_values(const solve::StepReport& r) {
-  return {r.load,
-          r.seam,
-          r.strain_energy,
-          r.dissipated,
-          r.dissipation_ratio,
-          static_cast<double>(r.iterations),
-          static_cast<double>(r.cut_backs),
-          r.residual,
-          r.undamped_residual,
-          r.gap,
-          static_cast<double>(r.negative_pivots),
-          static_cast<double>(r.critical),
-          r.undamped ? 1.0 : 0.0,
-          r.seconds};
+std::vector<double> global_values(const solve::Problem& problem, const solve::StepReport& r) {
+  std::vector<double> values = {r.load,
+                                r.seam,
+                                r.strain_energy,
+                                r.dissipated,
+                                r.dissipation_ratio,
+                                static_cast<double>(r.iterations),
+                                static_cast<double>(r.cut_backs),
+                                r.residual,
+                                r.undamped_residual,
+                                r.gap,
+                                static_cast<double>(r.negative_pivots),
+                                static_cast<double>(r.critical),
+                                r.undamped ? 1.0 : 0.0,
+                                r.seconds};
+  const std::vector<double> of_supports = torques(problem, r);
+  values.insert(values.end(), of_supports.begin(), of_supports.end());
+  return values;
 }
 
 result::FieldNames field_names(const solve::Problem& problem, bool with_body) {
@@ -60,7 +69,7 @@ result::FieldNames field_names(const solve::Problem& problem, bool with_body) {
   names.nodal.push_back({"area", "mm^2"});
   const std::vector<std::string> element_names = solve::element_field_names(problem);
   for (size_t i = 0; i < element_names.size(); ++i) names.element.push_back({element_names[i], element_units[i]});
-  names.global = global_names;
+  names.global = global_names(problem);
   return names;
 }
 
@@ -110,7 +119,7 @@ void Recorder::open_files() {
   for (const char* file :
        {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
     std::filesystem::remove(folder_ + "/" + file);
-  for (const std::string plot : {"pressure", "force-curves"})
+  for (const std::string plot : {"pressure", "force-curves", "torques"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})
       std::filesystem::remove(folder_ + "/" + plot + ending);
   const bool with_body = scene_.surface() != nullptr;
@@ -118,7 +127,7 @@ void Recorder::open_files() {
   exodus_ =
       std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
                                              with_body ? &body_ : nullptr, field_names(scene_.problem(), with_body));
-  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names);
+  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names(scene_.problem()));
 }
 
 void Recorder::step(const solve::StepReport& report, const solve::State& state) {
@@ -134,7 +143,7 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
     points_[i].push_back(fields_.position[node] - scene_.garment().mesh.placed[node]);
   }
   write_exodus(report);
-  history_->append(global_values(report));
+  history_->append(global_values(scene_.problem(), report));
   write_restart(report, state);
 }
 
@@ -156,8 +165,9 @@ void Recorder::write_exodus(const solve::StepReport& report) {
   }
   for (size_t f = 0; f < fields_.element.at(0).size(); ++f)
     data.element[fields_.element[0][f].name] = concatenate(fields_, f);
-  const std::vector<double> globals = global_values(report);
-  for (size_t g = 0; g < globals.size(); ++g) data.global[global_names[g].name] = globals[g];
+  const std::vector<double> globals = global_values(scene_.problem(), report);
+  const std::vector<result::FieldName> names = global_names(scene_.problem());
+  for (size_t g = 0; g < globals.size(); ++g) data.global[names[g].name] = globals[g];
   exodus_->write_step(report.step, data);
 }
 
@@ -186,6 +196,14 @@ void Recorder::finish(base::Log& log) {
   if (scene_.surface() != nullptr && (output.stations > 0 || !output.levels.empty())) write_pressure(log);
   if (!output.force_curves.empty()) write_forces(log);
   if (!output.points.empty()) write_points();
+  if (!torque_names(scene_.problem()).empty()) write_torques(log);
+}
+
+void Recorder::write_torques(base::Log& log) const {
+  const result::Table table = torque_table(scene_.problem(), reports_);
+  result::write_csv(folder_ + "/torques.csv", table);
+  if (const auto warning = result::write_plot(folder_, "torques", torque_plot(scene_.title(), table)))
+    log.warn(*warning);
 }
 
 void Recorder::write_points() const {

@@ -35,6 +35,7 @@ class Recorder {
   void write_pressure(base::Log& log) const;
   void write_forces(base::Log& log) const;
   void write_points() const;
+  void write_torques(base::Log& log) const;
 
   const scene::Scene& scene_;
   std::string folder_;

@@ -1,11 +1,14 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <sstream>
 
 #include "toile/base/units.hpp"
+#include "toile/material/response.hpp"
 
 namespace toile::app {
 
@@ -28,6 +31,39 @@ std::string stability(int negative_pivots) {
   if (negative_pivots < 0) return "stability not known (the tangent could not be factorised)";
   if (negative_pivots == 0) return "stable (no negative pivot)";
   return std::to_string(negative_pivots) + " negative pivots: unstable";
+}
+
+/// What compression in the fabric means.
+std::string compression_text(const material::Response& fabric) {
+  if (fabric.compression() == "tension field") return "what the residual stiffness of wrinkled fabric leaves";
+  if (fabric.compression() == "slack fibres") return "compression that lies along no yarn; real fabric wrinkles there";
+  return "compression: real fabric wrinkles there";
+}
+
+/// One line a panel whose fabric wrinkles: its model, and how much of it does.
+std::string wrinkles_text(const solve::Problem& problem, const solve::Fields& fields) {
+  std::ostringstream out;
+  out.precision(3);
+  for (size_t b = 0; b < problem.laws.size(); ++b) {
+    const material::Response& fabric = problem.laws[b].material->response();
+    if (!fabric.relaxes()) continue;
+    const std::array<double, 3>& share = fields.wrinkle_shares[b];
+    out << "  panel \"" << problem.mesh->blocks[b].name << "\": " << fabric.compression() << ", residual stiffness "
+        << fabric.residual_stiffness() << " of that of undeformed fabric; of its area " << 100.0 * share[0]
+        << " % taut, " << 100.0 * share[1] << " % wrinkled, " << 100.0 * share[2] << " % slack\n";
+  }
+  return out.str();
+}
+
+/// The torque of a support that turns.
+std::string torque_text(const solve::Support& support, double load, double torque) {
+  if (!support.turn) return "";
+  const solve::Vec3& axis = support.turn->axis;
+  std::ostringstream out;
+  out.precision(6);
+  out << ", turned by " << load * support.turn->angle * 180.0 / M_PI << " deg with a torque of " << torque
+      << " N mm about (" << axis[0] << ", " << axis[1] << ", " << axis[2] << ")";
+  return out.str();
 }
 
 std::string unit_of(const std::string& quantity) {
@@ -83,12 +119,15 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
         << base::kpa_to_mmhg(f.largest_pressure)
         << " mmHg) where the garment touches\n  largest gap of a node in contact: " << f.largest_gap << " mm\n";
   }
+  const material::Response& fabric = scene.problem().laws[fields.smallest_stress_block].material->response();
   out << "  smallest principal stress: " << f.smallest_stress << " kPa"
-      << (f.smallest_stress < 0.0 ? " (compression: real fabric wrinkles there)" : "") << "\n";
+      << (f.smallest_stress < 0.0 ? " (" + compression_text(fabric) + ")" : "") << "\n";
+  out << wrinkles_text(scene.problem(), fields);
   out << "  forces on the garment:";
   if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::pressure_resultant(fields));
   for (size_t s = 0; s < report.balance.support.size(); ++s)
-    out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s]);
+    out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s])
+        << torque_text(scene.problem().supports[s], report.load, report.balance.torque[s]);
   out << "\n    loads " << vector_text(report.balance.load) << "\n    damping " << vector_text(report.balance.damping)
       << "\n    held against null motions " << vector_text(report.balance.pins)
       << "\n    sum over magnitudes: " << f.force_balance << "\n";

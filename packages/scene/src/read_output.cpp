@@ -65,6 +65,10 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
         if (problem.supports[s].name == entry.word("support")) curve.support = static_cast<int>(s);
       }
       if (curve.support < 0) entry.fail("support", unknown("support", entry.word("support"), valid));
+      if (problem.supports[static_cast<size_t>(curve.support)].turn)
+        entry.fail("support",
+                   "this support turns, and its torque is in torques.csv; force curves are of supports that "
+                   "\"move by\" only");
       out.force_curves.push_back(curve);
     }
   if (list.has_list("Distances"))

@@ -1,5 +1,6 @@
 #include "toile/scene/scene.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -38,16 +39,30 @@ solve::ShellSection section(const garment::ShellOptions& shell, const material::
   throw base::Error(base::ExitCode::internal_error, "no stage sews");
 }
 
-/// Of all supports, mm.
-double largest_movement(const base::List& list) {
-  double largest = 0.0;
-  if (!list.has_list("Supports")) return largest;
+double length_of(const base::Reals& vector) {
+  double squares = 0.0;
+  for (const double component : vector) squares += component * component;
+  return std::sqrt(squares);
+}
+
+bool is_along(const base::Reals& vector, const body::Vec3& direction) {
+  if (vector.size() != 3) return false;
+  const body::Vec3 v(vector[0], vector[1], vector[2]);
+  return v.cross(direction).norm() <= 1e-6 * v.norm();
+}
+
+/// Where the garment can reach; empty where that is not known. What supports move is added to it.
+std::optional<body::Region> reach_of_moved_garment(const base::List& list) {
+  std::optional<body::Region> reach = garment::reach_of(list.list("Panels"));
+  if (!reach || !list.has_list("Supports")) return reach;
+  double largest = 0.0;  // mm
   for (const base::List& support : list.list("Supports").entries()) {
-    double squares = 0.0;
-    for (const double component : support.reals("move by")) squares += component * component;
-    largest = std::max(largest, std::sqrt(squares));
+    largest = std::max(largest, length_of(support.reals("move by")));
+    // Turned about the region's own direction the garment keeps its heights; otherwise it may get anywhere.
+    if (support.given("turn by") && !is_along(support.reals("axis direction"), reach->direction)) return std::nullopt;
   }
-  return largest;
+  reach->margin += largest;
+  return reach;
 }
 
 }  // namespace
@@ -56,8 +71,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(lis
   {
     const auto phase = timer.phase("body");
     if (const auto body = optional_list(list, "Body")) {
-      auto reach = garment::reach_of(list.list("Panels"));
-      if (reach) reach->margin += largest_movement(list);
+      const auto reach = reach_of_moved_garment(list);
       surface_ = body::make_surface(*body, reach ? &*reach : nullptr);
     }
   }
@@ -196,6 +210,10 @@ void Scene::list_modules(int ranks) {
   const bool bends =
       std::any_of(problem_.laws.begin(), problem_.laws.end(), [](const auto& law) { return law.is_shell(); });
   sort(bends, "shells");
+  const auto relaxes = [](const auto& law) { return law.material->response().relaxes(); };
+  sort(std::any_of(problem_.laws.begin(), problem_.laws.end(), relaxes), "relaxed fabric");
+  const auto turns = [](const solve::Support& support) { return support.turn.has_value(); };
+  sort(std::any_of(problem_.supports.begin(), problem_.supports.end(), turns), "turning supports");
   sort(!problem_.loads.empty(), "dead loads");
   sort(!problem_.pressures.empty(), "follower pressure");
   const auto wants = [&](const auto& option) { return std::any_of(stages_.begin(), stages_.end(), option); };

@@ -139,8 +139,7 @@ Vec3 Equilibrium::cluster_position(size_t c) const {
 }
 
 double Equilibrium::held_position(int cluster, int component, double s) const {
-  const HeldComponent& h = layout_.held[cluster][component];
-  return h.base + drive_.load(s) * h.displacement;
+  return layout_.held[cluster][component].position(drive_.load(s));
 }
 
 void Equilibrium::positions(const Vector& z, double s) {
@@ -161,12 +160,22 @@ void Equilibrium::positions(const Vector& z, double s) {
     std::copy_n(p.data(), 3, &at_.x[3 * n]);
   }
   at_.rotation.resize(2 * layout_.rotation.size());
-  for (size_t n = 0; n < layout_.rotation.size(); ++n)
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    const std::array<double, 2> held = held_rotation(n, s);
     for (size_t k = 0; k < 2; ++k) {
       const LocalId d = layout_.rotation[n][k];
-      const double theta = d >= 0 ? data[d] : start_.rotation[layout_.nodes[n]][k];
-      at_.rotation[2 * n + k] = theta - rotation_previous_[2 * n + k];
+      at_.rotation[2 * n + k] = d >= 0 ? data[d] - rotation_previous_[2 * n + k] : held[k];
     }
+  }
+}
+
+// Of a held director since the start of the step: none, unless its clamp turns.
+std::array<double, 2> Equilibrium::held_rotation(size_t node, double s) const {
+  const int support = layout_.turned_by.empty() ? -1 : layout_.turned_by[node];
+  if (support < 0) return {0.0, 0.0};
+  const Vec3 before = frames_[node].row(2);
+  return rotation_to(frames_[node], turned_director(*problem_.supports[support].turn, before, drive_.load(s_previous_),
+                                                    drive_.load(s)));
 }
 
 // Axis in space about which the unknown w_k turns a node's director, d_n x t_k. Exact at w = 0 and, for a director that

@@ -105,6 +105,8 @@ class Equilibrium {
   void positions(const Vector& z, double s);
   Vec3 cluster_position(size_t c) const;
   double held_position(int cluster, int component, double s) const;
+  std::array<double, 2> held_rotation(size_t node, double s) const;
+  double torque_of_director(const ElementAssembly::Sums& sums, size_t node, double s) const;
   /// Length of a vector's part in the free components of a cluster.
   double length_of_free_part(int cluster, const Vec3& direction) const;
   /// The same of the body's normal at the last linearisation, of a cluster in contact.

@@ -1,4 +1,5 @@
 // What is asked of an equilibrium between steps: states, forces, damping and offsets.
+#include <Eigen/Geometry>
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
@@ -210,6 +211,24 @@ double Equilibrium::moment_magnitudes(const ElementAssembly::Sums& sums, double 
   return total;
 }
 
+// Moment about the axis of the clamp that holds a director and turns: what is left of the moments along w, times dw/dangle.
+double Equilibrium::torque_of_director(const ElementAssembly::Sums& sums, size_t node, double s) const {
+  constexpr double h = 1e-5;  // rad
+  const Turn& turn = *problem_.supports[layout_.turned_by[node]].turn;
+  const double* w = &at_.rotation[2 * node];
+  const Vec3 now = rotated(frames_[node], w[0], w[1]).row(2);
+  const auto rotation = [&](double angle) {
+    return rotation_to(frames_[node], Eigen::AngleAxisd(angle, turn.axis) * now);
+  };
+  const std::array<double, 2> before = rotation(-h), after = rotation(h);
+  double torque = 0.0;
+  for (size_t k = 0; k < 2; ++k) {
+    const double load = drive_.load(s) * moment_[node].dot(moment_axis(node, static_cast<int>(k)));
+    torque += (sums.moment[2 * node + k] - load) * (after[k] - before[k]) / (2.0 * h);
+  }
+  return torque;
+}
+
 ForceBalance Equilibrium::balance(const Vector& z, double s) {
   positions(z, s);
   const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
@@ -219,9 +238,11 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (size_t i = 0; i < multipliers(); ++i)
     contact_on[i] = data[first + i] * contact(static_cast<int>(i), s, data[first + i]).normal;
-  // Rows of three: contact, load, damping, pins, one a support; last the sums of magnitudes, of the pins and of all.
+  // Rows of three: contact, load, damping, pins, one a support; then the torque of each support; last the sums of
+  // magnitudes, of the pins and of all.
   constexpr size_t contact_row = 0, load_row = 1, damping_row = 2, pin_row = 3, support_row = 4;
-  const size_t count = 3 * (support_row + problem_.supports.size()) + 2;
+  const size_t supports = problem_.supports.size(), torques = 3 * (support_row + supports);
+  const size_t count = torques + supports + 2;
   std::vector<double> mine(count, 0.0), all(count, 0.0);
   for (int c = 0; c < layout_.owned_clusters; ++c)
     for (size_t d = 0; d < 3; ++d) {
@@ -236,9 +257,16 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
       const double reaction = sums.force[i] + damping[i] - dead - contact_on[c][d];
       mine[3 * (held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support)) + d] += reaction;
       mine.back() += std::abs(reaction);
-      if (held.support < 0) mine[count - 2] += std::abs(reaction);
+      if (held.support < 0)
+        mine[count - 2] += std::abs(reaction);
+      else if (const auto& turn = problem_.supports[held.support].turn)
+        mine[torques + static_cast<size_t>(held.support)] +=
+            reaction * turn->axis.cross(cluster_position(static_cast<size_t>(c)) - turn->point)[d];
     }
   mine.back() += moment_magnitudes(sums, s) / std::sqrt(mean_mass_);
+  for (size_t n = 0; n < layout_.turned_by.size(); ++n)
+    if (layout_.turned_by[n] >= 0 && layout_.node_cluster[n] < layout_.owned_clusters)
+      mine[torques + static_cast<size_t>(layout_.turned_by[n])] += torque_of_director(sums, n, s);
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(count), mine.data(), all.data());
   const auto row = [&](size_t k) { return Vec3(all[3 * k], all[3 * k + 1], all[3 * k + 2]); };
   ForceBalance b;
@@ -247,6 +275,7 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   b.damping = row(damping_row);
   b.pins = row(pin_row);
   for (size_t k = 0; k < problem_.supports.size(); ++k) b.support.push_back(row(support_row + k));
+  b.torque.assign(all.begin() + static_cast<std::ptrdiff_t>(torques), all.end() - 2);
   b.pin_magnitude = all[count - 2];
   // What 1e-4 mm at every node would take is the least that counts: at rest there are only forces of rounded positions.
   constexpr double resting = 1e-4;

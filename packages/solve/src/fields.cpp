@@ -77,6 +77,30 @@ struct PointMean {
   }
 };
 
+double pattern_area(const mesh::Mesh& mesh, const mesh::Block& block, size_t e) {
+  const size_t per = static_cast<size_t>(block.nodes_per_element);
+  const auto corner = [&](size_t i) { return mesh.pattern[block.connectivity[e * per + i % per]]; };
+  double twice = 0.0;
+  for (size_t i = 0; i < per; ++i) twice += corner(i).x() * corner(i + 1).y() - corner(i + 1).x() * corner(i).y();
+  return 0.5 * std::abs(twice);
+}
+
+/// The points of an element count alike.
+std::array<double, 3> wrinkle_shares(const Problem& problem, size_t b, const element::PointFields& points) {
+  if (points.wrinkle_state.empty()) return {1.0, 0.0, 0.0};
+  const mesh::Block& block = problem.mesh->blocks[b];
+  const size_t per = static_cast<size_t>(problem.laws[b].element->points());
+  std::array<double, 3> shares{};
+  double total = 0.0;
+  for (size_t k = 0; k < points.wrinkle_state.size(); ++k) {
+    const double area = pattern_area(*problem.mesh, block, k / per);
+    shares[static_cast<size_t>(points.wrinkle_state[k])] += area;
+    total += area;
+  }
+  for (double& share : shares) share /= total;
+  return shares;
+}
+
 void add_block(const Problem& problem, size_t b, const State& state, Fields& out) {
   const mesh::Block& block = problem.mesh->blocks[b];
   const BlockLaw& law = problem.laws[b];
@@ -94,8 +118,10 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
     PointMean mean;
     for (size_t q = 0; q < per; ++q) {
       mean.add(points, e * per + q, law.material->thickness(), 1.0 / static_cast<double>(per));
-      out.smallest_principal_stress =
-          std::min(out.smallest_principal_stress, points.cauchy_principal[2 * (e * per + q) + 1]);
+      const double minor = points.cauchy_principal[2 * (e * per + q) + 1];
+      if (!(minor < out.smallest_principal_stress)) continue;
+      out.smallest_principal_stress = minor;
+      out.smallest_stress_block = static_cast<int>(b);
     }
     mean.normalise_crest();
     for (size_t k = 0; k < fields.size(); ++k) fields[k].values[e] = mean.values[k];
@@ -106,6 +132,7 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
     }
   }
   out.element.push_back(std::move(fields));
+  out.wrinkle_shares.push_back(wrinkle_shares(problem, b, points));
 }
 
 /// Area of the inner face over that of the mid-surface, of a fabric that lies `offset` off the body: the product of

@@ -1,5 +1,6 @@
 #include "held.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "toile/base/error.hpp"
@@ -21,13 +22,14 @@ std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
       for (int i = 0; i < 3; ++i) {
         if (!support.held[i]) continue;
         HeldComponent& h = held[cluster_of[node]][i];
-        if (h.held && h.displacement != support.displacement[i])
-          throw base::InputError("supports contradict each other: support \"" + support.name + "\" moves node " +
-                                 std::to_string(node) + " by " + std::to_string(support.displacement[i]) +
-                                 " mm in direction " + "xyz"[i] + ", another support by " +
-                                 std::to_string(h.displacement) + " mm");
-        h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i],
-             static_cast<int>(s)};
+        HeldComponent found =
+            held_component(support, i, problem.mesh->placed[problem.clusters[cluster_of[node]].front()]);
+        if (h.held && !h.moves_like(found))
+          throw base::InputError("supports contradict each other: supports \"" + problem.supports[h.support].name +
+                                 "\" and \"" + support.name + "\" move node " + std::to_string(node) +
+                                 " differently in direction " + "xyz"[i]);
+        h = found;
+        h.support = static_cast<int>(s);
       }
   }
   return held;
@@ -36,7 +38,6 @@ std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
 /// Which rotations the supports hold: all of a clamp, and those out of a plane of symmetry.
 std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const State& state,
                                                 const std::set<std::string>& released) {
-  if (state.frame.empty()) return {};
   std::vector<std::array<bool, 2>> held;
   for (const bool is_shell : shell_nodes(problem)) held.push_back({!is_shell, !is_shell});
   constexpr double along = 0.9;  // a tangent that start_frames laid along the normal of the plane
@@ -54,8 +55,58 @@ std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const St
 
 }  // namespace
 
-Held held_by_supports(const Problem& problem, const State& state, const std::set<std::string>& released) {
-  return {held_positions(problem, released), held_rotations(problem, state, released)};
+// 1 - cos as a square, so that a small turn keeps its digits.
+double HeldComponent::position(double load) const {
+  const double half = std::sin(0.5 * load * angle);
+  return base + load * displacement - 2.0 * half * half * radial + std::sin(load * angle) * tangential;
+}
+
+bool HeldComponent::moves_like(const HeldComponent& other) const {
+  constexpr double same = 1e-9;  // mm
+  const auto differ = [](double a, double b) { return std::abs(a - b) > same; };
+  if (differ(displacement, other.displacement)) return false;
+  const auto turns = [&](const HeldComponent& h) {
+    return h.angle != 0.0 && (differ(h.radial, 0.0) || differ(h.tangential, 0.0));
+  };
+  if (!turns(*this) && !turns(other)) return true;
+  return angle == other.angle && !differ(radial, other.radial) && !differ(tangential, other.tangential);
+}
+
+HeldComponent held_component(const Support& support, int direction, const Vec3& placed) {
+  HeldComponent h;
+  h.held = true;
+  h.base = placed[direction];
+  h.displacement = support.displacement[direction];
+  if (!support.turn) return h;
+  const Vec3 from_point = placed - support.turn->point, tangential = support.turn->axis.cross(from_point);
+  h.angle = support.turn->angle;
+  h.radial = (from_point - support.turn->axis.dot(from_point) * support.turn->axis)[direction];
+  h.tangential = tangential[direction];
+  return h;
+}
+
+Held find_held(const Problem& problem, const State& state, const std::set<std::string>& released) {
+  Held held{held_positions(problem, released), {}, {}};
+  if (state.frame.empty()) return held;
+  held.rotation = held_rotations(problem, state, released);
+  for (size_t s = 0; s < problem.supports.size(); ++s) {
+    const Support& support = problem.supports[s];
+    if (!support.turn || support.director != DirectorSupport::held || released.count(support.name)) continue;
+    held.turned_by.resize(held.rotation.size(), -1);
+    for (const int node : support.nodes) held.turned_by[node] = static_cast<int>(s);
+  }
+  return held;
+}
+
+Vec3 turned_director(const Turn& turn, const Vec3& director, double from, double to) {
+  return Eigen::AngleAxisd((to - from) * turn.angle, turn.axis) * director;
+}
+
+std::array<double, 2> rotation_to(const Frame& frame, const Vec3& director) {
+  const Vec3 along = frame * director;
+  const double across = std::hypot(along[0], along[1]), angle = std::atan2(across, along[2]);
+  if (across == 0.0) return {angle, 0.0};
+  return {angle * along[0] / across, angle * along[1] / across};
 }
 
 }  // namespace toile::solve

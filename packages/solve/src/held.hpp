@@ -1,14 +1,48 @@
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
+#include <vector>
 
-#include "layout.hpp"
+#include "toile/solve/problem.hpp"
 
 namespace toile::solve {
 
-/// What the supports hold that are not `released`: positions, all rotations of a clamp, and those out of a plane of
-/// symmetry. Throws base::InputError if two supports move the same node differently.
-Held held_by_supports(const Problem& problem, const State& state, const std::set<std::string>& released);
+/// Where a component of a cluster's position comes from: a straight or circular path, or both added.
+struct HeldComponent {
+  bool held = false;
+  double base = 0.0;          ///< mm, at load 0
+  double displacement = 0.0;  ///< mm at load 1
+  int support = -1;           ///< index into Problem::supports; -1: held against a null motion
+  double angle = 0.0;         ///< of a support that turns, rad at load 1
+  double radial = 0.0;        ///< component of r, from the axis to the placed node, mm
+  double tangential = 0.0;    ///< component of axis x r, mm
+
+  double position(double load) const;  ///< mm
+  /// Whether both take the same path, within 1e-9 mm.
+  bool moves_like(const HeldComponent& other) const;
+};
+
+/// What a stage holds.
+struct Held {
+  std::vector<std::array<HeldComponent, 3>> position;  ///< [cluster]
+  std::vector<std::array<bool, 2>> rotation;           ///< [node] of shells: not an unknown; empty without shells
+  /// [node] support whose turn takes the held director along, or -1; empty where none does.
+  std::vector<int> turned_by;
+};
+
+/// The path on which a support takes the component `direction` of a node that is placed at X.
+HeldComponent held_component(const Support& support, int direction, const Vec3& placed);
+
+/// What the supports hold that are not released. `state`: whose frames tell the directions of symmetry.
+/// Throws base::InputError for supports that contradict each other.
+Held find_held(const Problem& problem, const State& state, const std::set<std::string>& released);
+
+/// The director at load `to` of a clamp that turns and has `director` at load `from`.
+Vec3 turned_director(const Turn& turn, const Vec3& director, double from, double to);
+
+/// The inverse of rotated(frame, w_1, w_2): the shortest rotation of the frame's director to `director`.
+std::array<double, 2> rotation_to(const Frame& frame, const Vec3& director);
 
 }  // namespace toile::solve

@@ -96,6 +96,7 @@ void Layout::number(const Problem& problem, const Held& all) {
   for (size_t n = 0; n < nodes.size(); ++n) local_node[nodes[n]] = static_cast<int>(n);
   shells_ = !all.rotation.empty();
   if (shells_) rotation.assign(nodes.size(), {-1, -1});
+  for (size_t n = 0; n < nodes.size() && !all.turned_by.empty(); ++n) turned_by.push_back(all.turned_by[nodes[n]]);
 
   std::vector<GlobalId> columns;
   GlobalId id = 0;

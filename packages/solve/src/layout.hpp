@@ -3,24 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "toile/solve/problem.hpp"
+#include "held.hpp"
 #include "types.hpp"
 
 namespace toile::solve {
-
-/// Where a component of a cluster's position comes from.
-struct HeldComponent {
-  bool held = false;
-  double base = 0.0;          ///< mm
-  double displacement = 0.0;  ///< mm at load 1
-  int support = -1;           ///< index into Problem::supports; -1: held against a null motion
-};
-
-/// What a stage holds.
-struct Held {
-  std::vector<std::array<HeldComponent, 3>> position;  ///< [cluster]
-  std::vector<std::array<bool, 2>> rotation;           ///< [node] of shells: stays as it is; empty without shells
-};
 
 /// Distribution of one stage over the ranks: owned and ghost clusters, local elements, numbering of the unknowns.
 ///
@@ -55,6 +41,7 @@ class Layout {
   std::vector<std::array<HeldComponent, 3>> held;  ///< [local cluster]
   std::vector<std::array<LocalId, 3>> dof;         ///< [local cluster] local (overlap) dof or -1
   std::vector<std::array<LocalId, 2>> rotation;    ///< [local node] local dof or -1; empty without shells
+  std::vector<int> turned_by;                      ///< [local node] as in Held
   bool contact = false;                            ///< there is a body
   RCP<const Map> dof_map, overlap_map, state_map;
   RCP<const Import> importer;  ///< dof_map -> overlap_map

@@ -121,11 +121,14 @@ void Simulation::Data::build() {
 
 // The equations of the stage, from a state whose motions the `guided` clusters resist.
 void Simulation::Data::assemble(const State& from, const std::vector<bool>& guided) {
-  Held held = held_by_supports(problem, from, released);
+  Held held = find_held(problem, from, released);
   pinned = find_null_motions(problem, from, held, drive.seam_end >= 1.0, guided);
   std::vector<std::string> pins;
   for (const NullMotion& motion : pinned) {
-    held.position[motion.cluster][motion.component] = {true, from.position[motion.cluster][motion.component], 0.0, -1};
+    HeldComponent pin;
+    pin.held = true;
+    pin.base = from.position[motion.cluster][motion.component];
+    held.position[motion.cluster][motion.component] = pin;
     pins.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
   }
   notes.set_pins(pins);
@@ -234,7 +237,7 @@ bool Simulation::Data::conclude() {
   for (int round = 0; round < most_rounds; ++round) {
     if (!come_to_rest()) return false;
     const State now = equilibrium->state(*z, 1.0);
-    const Held held = held_by_supports(problem, now, released);
+    const Held held = find_held(problem, now, released);
     const std::vector<bool> guided = in_contact(now);
     if (find_null_motions(problem, now, held, drive.seam_end >= 1.0, guided).size() == pinned.size()) return true;
     count_linear_work();

@@ -1,9 +1,8 @@
 #include "toile/solve/spec.hpp"
 
 #include <algorithm>
-#include <utility>
 
-#include "toile/mesh/find_nodes.hpp"
+#include "read.hpp"
 
 namespace toile::solve {
 
@@ -42,18 +41,6 @@ Spec damping_spec() {
             "Accumulated dissipation over the largest strain energy above which the path is reported as "
             "not quasi-static.",
             0.05, Range::positive());
-}
-
-std::vector<int> nodes_of(const List& list, const mesh::Mesh& mesh, const std::string& name) {
-  mesh::FoundNodes found = mesh::find_nodes(mesh, name);
-  if (!found.problem.empty()) list.fail("on", found.problem);
-  return std::move(found.nodes);
-}
-
-Vec3 vector_of(const List& list, const std::string& name) {
-  const base::Reals& v = list.reals(name);
-  if (v.size() != 3) list.fail(name, "found " + std::to_string(v.size()) + " numbers, expected 3 (x, y, z)");
-  return Vec3(v[0], v[1], v[2]);
 }
 
 }  // namespace
@@ -154,46 +141,6 @@ ContactOptions read_contact(const List& list) {
           list.real("relative stiffness")};
 }
 
-Spec supports_spec() {
-  Spec support("support", "Nodes that are held in some directions.");
-  support.words("on", "Names of edges (for instance front.top) or of whole panels (front).")
-      .choice("hold", "Directions that are held; none: only \"director\".",
-              {"x", "y", "z", "xy", "xz", "yz", "xyz", "none"})
-      .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0})
-      .choice("director",
-              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), or symmetry (the panel stays "
-              "perpendicular to the plane of symmetry, whose normal is each held direction).",
-              {"free", "held", "symmetry"}, std::string("free"));
-  return Spec("Supports", "Where the garment is held.").entries(support);
-}
-
-std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
-  std::vector<Support> supports;
-  for (const List& entry : list.entries()) {
-    Support s;
-    s.name = entry.name();
-    if (entry.words("on").empty()) entry.fail("on", "names no edge and no panel");
-    for (const std::string& set : entry.words("on")) {
-      const std::vector<int> nodes = nodes_of(entry, mesh, set);
-      s.nodes.insert(s.nodes.end(), nodes.begin(), nodes.end());
-    }
-    const std::string& hold = entry.word("hold");
-    for (int i = 0; i < 3; ++i) s.held[i] = hold != "none" && hold.find("xyz"[i]) != std::string::npos;
-    s.displacement = vector_of(entry, "move by");
-    for (int i = 0; i < 3; ++i)
-      if (s.displacement[i] != 0.0 && !s.held[i])
-        entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
-    const std::string& director = entry.word("director");
-    s.director = director == "held"       ? DirectorSupport::held
-                 : director == "symmetry" ? DirectorSupport::symmetry
-                                          : DirectorSupport::free;
-    if (hold == "none" && s.director != DirectorSupport::held)
-      entry.fail("hold", "holds nothing: name a direction, or hold the director of a shell (\"director\" = held)");
-    supports.push_back(s);
-  }
-  return supports;
-}
-
 Spec loads_spec() {
   Spec edge("edge", "Force along an edge that keeps its direction.");
   edge.word("on", "Name of an edge, for instance front.top.")
@@ -239,9 +186,9 @@ NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
   const std::string& type = entry.word("type");
   NodalLoad load;
   load.name = entry.name();
-  load.nodes = nodes_of(entry, mesh, entry.word("on"));
+  load.nodes = read_nodes(entry, mesh, entry.word("on"));
   load.moment = type == "edge moment";
-  load.value = vector_of(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
+  load.value = read_vector(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
   if (type == "point")
     load.share.assign(load.nodes.size(), 1.0);
   else if (load.nodes.size() < 2)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "toile/material/response.hpp"
 
 namespace toile::material {
@@ -26,6 +28,9 @@ class RelaxedResponse final : public Response {
                double* thickness_stretch, std::uint8_t* status) const override;
   double natural_shear_modulus(const double* params) const override { return law_.natural_shear_modulus(params); }
   bool relaxes() const override { return true; }
+  std::string compression() const override {
+    return relaxation_ == Relaxation::tension_field ? "tension field" : "slack fibres";
+  }
   double residual_stiffness() const override { return residual_; }
   void wrinkles(int n, const double* C, const double* params, int param_stride, WrinkleState* state,
                 double* direction) const override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "toile/material/material.hpp"
 
@@ -26,7 +27,9 @@ class Response {
 
   /// Whether fabric wrinkles instead of carrying compression. If not, it is taut everywhere.
   virtual bool relaxes() const { return false; }
-  /// Stiffness that wrinkles keep, over that of the natural state.
+  /// The word of parameter "compression" that asks for it, and the residual stiffness of what it relaxes, as a part of
+  /// that of undeformed fabric.
+  virtual std::string compression() const { return "full"; }
   virtual double residual_stiffness() const { return 0.0; }
   /// state [n] and direction [2][n] of the wrinkles' crests in the material frame: a unit vector of the reference,
   /// zero where the fabric is not wrinkled (slack fabric has no direction) or not admissible.

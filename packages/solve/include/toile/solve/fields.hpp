@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,10 @@ struct Fields {
   std::vector<double> area;      ///< [node] current area that belongs to the node alone, mm^2
   /// [block] element means over the integration points: stretch_wale, stretch_course, ... (see fields.cpp's table)
   std::vector<std::vector<NamedField>> element;
+  /// [block] parts of the pattern's area that are taut, wrinkled and slack (material::WrinkleState).
+  std::vector<std::array<double, 3>> wrinkle_shares;
   double smallest_principal_stress = 0.0;  ///< Cauchy, MPa
+  int smallest_stress_block = 0;           ///< where it is
   double largest_extrapolation = 0.0;  ///< largest fibre stretch in an element outside the calibrated range; 0: none
   std::string extrapolated_where;      ///< block and element of it
   int contacts_off_surface = 0;        ///< clusters in contact where the body has no smooth surface, only facets

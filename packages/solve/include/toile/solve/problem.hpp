@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,22 @@ enum class DirectorSupport {
   symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
 };
 
-/// Nodes whose positions are held in some directions, and moved by `displacement` at full load.
+/// Rotation about an axis that is fixed in space.
+struct Turn {
+  Vec3 point = Vec3::Zero();  ///< of the axis, mm
+  Vec3 axis = Vec3::UnitZ();  ///< unit vector
+  double angle = 0.0;         ///< rad at load 1, right-handed about `axis`
+};
+
+/// Nodes whose positions are held in some directions; on their way to full load they turn and are moved:
+/// x(load) = point + Exp(load angle axis) (X - point) + load displacement, with X the placed position.
 struct Support {
   std::string name;
   std::vector<int> nodes;
   std::array<bool, 3> held{};
   Vec3 displacement = Vec3::Zero();  ///< mm at load 1
   DirectorSupport director = DirectorSupport::free;
+  std::optional<Turn> turn = std::nullopt;  ///< takes held directors with it; needs the directions across its axis held
 };
 
 /// Dead force or moment, shared by some nodes.

@@ -15,6 +15,7 @@ namespace toile::solve {
 struct ForceBalance {
   Vec3 contact = Vec3::Zero();  ///< of the body on the garment
   std::vector<Vec3> support;    ///< reaction of each support, in the order of Problem::supports
+  std::vector<double> torque;   ///< [support] moment of the support about the axis of its turn, N mm; 0 without a turn
   Vec3 load = Vec3::Zero();
   Vec3 damping = Vec3::Zero();
   Vec3 pins = Vec3::Zero();    ///< of what is held against null motions; at the end of a stage they carry nothing
