@@ -10,11 +10,16 @@ namespace toile::solve {
 
 namespace {
 
-/// Two supports that hold the same component of the same node by different displacements.
+/// Two supports that move the same component of the same node differently.
 struct Contradiction {
   size_t first, second;
   int node, direction;
 };
+
+bool same_motion(const Support& a, const Support& b, int direction) {
+  return a.displacement[direction] == b.displacement[direction] &&
+         (a.displacement[direction] == 0.0 || a.path == b.path);
+}
 
 std::optional<Contradiction> contradiction(const Problem& problem, const std::set<std::string>& released) {
   std::vector<int> cluster_of(problem.mesh->nodes());
@@ -29,7 +34,7 @@ std::optional<Contradiction> contradiction(const Problem& problem, const std::se
       for (int d = 0; d < 3; ++d) {
         if (!support.held[d]) continue;
         int& other = holder[cluster_of[node]][d];
-        if (other >= 0 && problem.supports[other].displacement[d] != support.displacement[d])
+        if (other >= 0 && !same_motion(problem.supports[other], support, d))
           return Contradiction{static_cast<size_t>(other), s, node, d};
         other = static_cast<int>(s);
       }
@@ -41,11 +46,14 @@ std::string explain(const Problem& problem, const Contradiction& c) {
   const Support &first = problem.supports[c.first], &second = problem.supports[c.second];
   const Vec3& at = problem.mesh->placed[c.node];
   const char direction = "xyz"[c.direction];
+  const bool same_size = first.displacement[c.direction] == second.displacement[c.direction];
   std::ostringstream text;
   text << "contradicts support \"" << first.name << "\": both hold the node at (" << at[0] << ", " << at[1] << ", "
        << at[2] << ") mm in " << direction << ", but \"" << second.name << "\" moves it by "
        << second.displacement[c.direction] << " mm and \"" << first.name << "\" by " << first.displacement[c.direction]
-       << " mm; give both the same displacement in " << direction << ", or hold it by one of them only";
+       << " mm" << (same_size ? " at other loads" : "") << "; give both the same "
+       << (same_size ? "loads and shares" : "displacement") << " in " << direction
+       << ", or hold it by one of them only";
   return text.str();
 }
 

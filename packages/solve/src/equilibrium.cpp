@@ -127,7 +127,8 @@ Vec3 Equilibrium::cluster_position(size_t c) const {
 
 double Equilibrium::held_position(int cluster, int component, double s) const {
   const HeldComponent& h = layout_.held[cluster][component];
-  return h.base + drive_.load(s) * h.displacement;
+  if (h.displacement == 0.0) return h.base;
+  return h.base + problem_.supports[static_cast<size_t>(h.support)].path.share(drive_.load(s)) * h.displacement;
 }
 
 void Equilibrium::positions(const Vector& z, double s) {

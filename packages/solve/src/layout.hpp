@@ -12,7 +12,7 @@ namespace toile::solve {
 struct HeldComponent {
   bool held = false;
   double base = 0.0;          ///< mm
-  double displacement = 0.0;  ///< mm at load 1
+  double displacement = 0.0;  ///< mm when its support has moved all its way
   int support = -1;           ///< index into Problem::supports; -1: held against a null motion
 };
 

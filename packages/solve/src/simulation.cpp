@@ -37,11 +37,13 @@ std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
       for (int i = 0; i < 3; ++i) {
         if (!support.held[i]) continue;
         HeldComponent& h = held[cluster_of[node]][i];
-        if (h.held && h.displacement != support.displacement[i])
+        if (h.held &&
+            (h.displacement != support.displacement[i] ||
+             (h.displacement != 0.0 && !(problem.supports[static_cast<size_t>(h.support)].path == support.path))))
           throw base::InputError("supports contradict each other: support \"" + support.name + "\" moves node " +
                                  std::to_string(node) + " by " + std::to_string(support.displacement[i]) +
                                  " mm in direction " + "xyz"[i] + ", another support by " +
-                                 std::to_string(h.displacement) + " mm");
+                                 std::to_string(h.displacement) + " mm or at other loads");
         h = {true, problem.mesh->placed[problem.clusters[cluster_of[node]].front()][i], support.displacement[i],
              static_cast<int>(s)};
       }

@@ -21,13 +21,22 @@ enum class DirectorSupport {
   symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
 };
 
-/// Nodes whose positions are held in some directions, and moved by `displacement` at full load.
+/// How much of a displacement a load has moved: piecewise linear, constant beyond its ends; the load itself if empty.
+struct MotionPath {
+  std::vector<double> loads;   ///< strictly increasing
+  std::vector<double> shares;  ///< [load]
+  double share(double load) const;
+  bool operator==(const MotionPath& other) const { return loads == other.loads && shares == other.shares; }
+};
+
+/// Nodes whose positions are held in some directions, and moved by a share of `displacement` that goes with the load.
 struct Support {
   std::string name;
   std::vector<int> nodes;
   std::array<bool, 3> held{};
-  Vec3 displacement = Vec3::Zero();  ///< mm at load 1
+  Vec3 displacement = Vec3::Zero();  ///< mm at share 1
   DirectorSupport director = DirectorSupport::free;
+  MotionPath path = {};
 };
 
 /// Dead force or moment, shared by some nodes.
