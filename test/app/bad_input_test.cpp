@@ -179,6 +179,38 @@ TEST_F(BadInput, ContradictorySupports) {
       "clamp\" by 0 mm");
 }
 
+// Two supports that move the same node as far, but at other loads.
+TEST_F(BadInput, SupportsAtOtherLoads) {
+  const std::string move = parameter("move by", "Array(double)", "{0, 20, 0}");
+  write_scene("strip", {{"<ParameterList name=\"upper clamp\">",
+                         "<ParameterList name=\"late\">" + parameter("on", "Array(string)", "{strip.top}") +
+                             parameter("hold", "string", "y") + move + parameter("loads", "Array(double)", "{0.5, 1}") +
+                             parameter("shares", "Array(double)", "{0, 1}") +
+                             "</ParameterList><ParameterList name=\"upper clamp\">"}});
+  expect_refused(
+      "scene > Supports > upper clamp: parameter \"move by\" = {0, 20, 0}: contradicts support \"late\": both hold "
+      "the node at (0, 100, 0) mm in y, but \"upper clamp\" moves it by 20 mm and \"late\" by 20 mm, at other loads; "
+      "give both the same movement, loads and shares in y, or hold it by one of them only");
+}
+
+// A path of a support whose loads and shares do not belong together.
+TEST_F(BadInput, PathOfASupport) {
+  const std::string move = parameter("move by", "Array(double)", "{0, 20, 0}");
+  const auto path = [&](const std::string& loads, const std::string& shares) {
+    write_scene("strip", {{move, move + parameter("loads", "Array(double)", loads) +
+                                     parameter("shares", "Array(double)", shares)}});
+  };
+  const std::string where = "scene > Supports > upper clamp: parameter ";
+  path("{0, 0.5, 1}", "{0, 1}");
+  expect_refused(where +
+                 "\"shares\" = {0, 1}: found 2 values, but \"loads\" has 3; there must be one share for each "
+                 "load");
+  path("{0.5}", "{1}");
+  expect_refused(where + "\"loads\" = {0.5}: found a single load; a path needs two or more");
+  path("{0, 1, 1}", "{0, 0, 1}");
+  expect_refused(where + "\"loads\" = {0, 1, 1}: must increase strictly, but value number 3 does not");
+}
+
 // A support that holds nothing.
 TEST_F(BadInput, SupportOfNothing) {
   write_scene("strip", {{"{strip.bottom}", "{}"}});

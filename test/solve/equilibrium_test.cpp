@@ -154,6 +154,37 @@ TEST(Equilibrium, EveryRankSeesAGapThatIsNotANumber) {
   EXPECT_TRUE(std::isnan(f.equilibrium->imbalance(residual).gap));
 }
 
+// The rate of the residual at the start of a stage, from which the first step is predicted, is that of a finite step:
+// LOCA's own difference quotient there is round-off.
+TEST_P(EquilibriumOf, RateAtTheStartIsThatOfAStep) {
+  Fixture f(GetParam());
+  f.equilibrium->set_damping(0.0);
+  constexpr double step = 1e-3;
+  Vector before(f.z->getMap()), rate(f.z->getMap()), expected(f.z->getMap()), first(f.z->getMap());
+  f.equilibrium->residual(*f.z, 0.0, before);
+  f.equilibrium->residual(*f.z, step, expected);
+  f.equilibrium->residual(*f.z, 2.0 * step, first);
+  // Of second order: (-3 f(0) + 4 f(h) - f(2h))/(2h)
+  expected.update(-0.5 / step, first, -1.5 / step, before, 2.0 / step);
+  f.equilibrium->residual_rate(*f.z, 0.0, rate);
+  const double scale = expected.norm2();
+  EXPECT_GT(scale, 1e-3);
+  rate.update(-1.0, expected, 1.0);
+  EXPECT_LT(rate.norm2(), 1e-3 * scale);
+}
+
+// A support with a path rests before it, moves between its loads, and rests after it.
+TEST(MotionPath, IsPiecewiseLinear) {
+  const solve::MotionPath path{{1.0, 2.0, 4.0}, {0.0, 0.5, -0.5}};
+  EXPECT_EQ(path.share(-1.0), 0.0);
+  EXPECT_EQ(path.share(1.0), 0.0);
+  EXPECT_DOUBLE_EQ(path.share(1.5), 0.25);
+  EXPECT_DOUBLE_EQ(path.share(3.0), 0.0);
+  EXPECT_EQ(path.share(4.0), -0.5);
+  EXPECT_EQ(path.share(9.0), -0.5);
+  EXPECT_EQ(solve::MotionPath{}.share(0.3), 0.3);
+}
+
 // A tangent that cannot be factorised (the second sheet resists nothing at all) is shifted until it can.
 TEST(Equilibrium, SingularTangentIsShifted) {
   Panels sheets(

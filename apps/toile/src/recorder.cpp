@@ -260,11 +260,12 @@ void Recorder::write_forces(base::Log& log) const {
   }
   table.columns = {step, load};
   for (const scene::ForceCurve& curve : output.force_curves) {
-    const solve::Vec3 move = scene_.problem().supports[curve.support].displacement;
+    const solve::Support& support = scene_.problem().supports[curve.support];
+    const solve::Vec3& move = support.displacement;
     result::Series series;
     series.title = curve.title;
     for (const solve::StepReport& r : reports_) {
-      series.x.push_back(1.0 + r.load * move.norm() / curve.length);
+      series.x.push_back(1.0 + support.path.share(r.load) * move.norm() / curve.length);
       series.y.push_back(move.norm() > 0.0 ? r.balance.support[curve.support].dot(move) / move.norm() : 0.0);
     }
     table.columns.push_back({{curve.title + ": stretch", ""}, series.x});

@@ -44,7 +44,7 @@ result::Table torque_table(const solve::Problem& problem, const std::vector<solv
     if (!support.turn) continue;
     result::Column angle{{support.name + ": angle", "deg"}, {}}, torque{{support.name + ": torque", "N mm"}, {}};
     for (const solve::StepReport& r : reports) {
-      angle.values.push_back(r.load * support.turn->angle * 180.0 / M_PI);
+      angle.values.push_back(support.path.share(r.load) * support.turn->angle * 180.0 / M_PI);
       torque.values.push_back(r.balance.torque[s]);
     }
     table.columns.push_back(angle);

@@ -18,7 +18,7 @@ struct Contradiction {
 };
 
 HeldComponent path(const Problem& problem, size_t support, const Vec3& placed, int direction) {
-  return held_component(problem.supports[support], direction, placed);
+  return held_component(problem, support, direction, placed);
 }
 
 std::optional<Contradiction> contradiction(const Problem& problem, const std::set<std::string>& released) {
@@ -35,7 +35,8 @@ std::optional<Contradiction> contradiction(const Problem& problem, const std::se
         if (!support.held[d]) continue;
         int& other = holder[cluster_of[node]][d];
         const Vec3& placed = problem.mesh->placed[problem.clusters[cluster_of[node]].front()];
-        if (other >= 0 && !path(problem, static_cast<size_t>(other), placed, d).moves_like(path(problem, s, placed, d)))
+        if (other >= 0 &&
+            !move_alike(problem, path(problem, static_cast<size_t>(other), placed, d), path(problem, s, placed, d)))
           return Contradiction{static_cast<size_t>(other), s, node, d};
         other = static_cast<int>(s);
       }
@@ -43,7 +44,7 @@ std::optional<Contradiction> contradiction(const Problem& problem, const std::se
   return std::nullopt;
 }
 
-/// How far a support moves a component at load 1, and by what.
+/// How far a support moves a component in all, and on what.
 std::string movement_text(const Problem& problem, size_t support, const Contradiction& c) {
   const HeldComponent h = path(problem, support, problem.mesh->placed[c.node], c.direction);
   std::ostringstream text;
@@ -56,17 +57,19 @@ std::string explain(const Problem& problem, const Contradiction& c) {
   const Support &first = problem.supports[c.first], &second = problem.supports[c.second];
   const Vec3& at = problem.mesh->placed[c.node];
   const char direction = "xyz"[c.direction];
+  const bool other_loads = !(first.path == second.path);
   std::ostringstream text;
   text << "contradicts support \"" << first.name << "\": both hold the node at (" << at[0] << ", " << at[1] << ", "
        << at[2] << ") mm in " << direction << ", but \"" << second.name << "\" moves it "
        << movement_text(problem, c.second, c) << " and \"" << first.name << "\" " << movement_text(problem, c.first, c)
-       << "; give both the same movement in " << direction << ", or hold it by one of them only";
+       << (other_loads ? ", at other loads" : "") << "; give both the same movement"
+       << (other_loads ? ", loads and shares" : "") << " in " << direction << ", or hold it by one of them only";
   return text.str();
 }
 
 bool turn_alike(const Support& a, const Support& b) {
   if (!a.turn || !b.turn) return !a.turn && !b.turn;
-  return (a.turn->axis - b.turn->axis).norm() < 1e-9 && a.turn->angle == b.turn->angle;
+  return (a.turn->axis - b.turn->axis).norm() < 1e-9 && a.turn->angle == b.turn->angle && a.path == b.path;
 }
 
 /// Refuses two clamps of one node of which one turns its director and the other does not do the same.

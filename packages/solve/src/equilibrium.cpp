@@ -139,7 +139,9 @@ Vec3 Equilibrium::cluster_position(size_t c) const {
 }
 
 double Equilibrium::held_position(int cluster, int component, double s) const {
-  return layout_.held[cluster][component].position(drive_.load(s));
+  const HeldComponent& h = layout_.held[cluster][component];
+  const double load = drive_.load(s);
+  return h.position(h.support < 0 ? load : problem_.supports[static_cast<size_t>(h.support)].path.share(load));
 }
 
 void Equilibrium::positions(const Vector& z, double s) {
@@ -173,9 +175,10 @@ void Equilibrium::positions(const Vector& z, double s) {
 std::array<double, 2> Equilibrium::held_rotation(size_t node, double s) const {
   const int support = layout_.turned_by.empty() ? -1 : layout_.turned_by[node];
   if (support < 0) return {0.0, 0.0};
+  const Support& clamp = problem_.supports[static_cast<size_t>(support)];
+  const double since = clamp.path.share(drive_.load(s)) - clamp.path.share(drive_.load(s_previous_));
   const Vec3 before = frames_[node].row(2);
-  return rotation_to(frames_[node], turned_director(*problem_.supports[support].turn, before, drive_.load(s_previous_),
-                                                    drive_.load(s)));
+  return rotation_to(frames_[node], Eigen::AngleAxisd(since * clamp.turn->angle, clamp.turn->axis) * before);
 }
 
 // Axis in space about which the unknown w_k turns a node's director, d_n x t_k. Exact at w = 0 and, for a director that

@@ -87,6 +87,9 @@ class Equilibrium {
   double damping() const { return damping_; }
   /// Off where unstable equilibria are wanted: then the tangent is taken as it is, factorised afresh every time.
   void seek_minimum(bool on) { seek_minimum_ = on; }
+  /// Rate of the residual with s at fixed z, by differences of 1e-5; at the start of a stage forwards, because a
+  /// support's path may have a kink there.
+  void residual_rate(const Vector& z, double s, Vector& rate);
   /// Whether the path of equilibria goes on (1) or back (-1) in s at z, which it has reached by the step dz, ds.
   double path_direction(const Vector& z, double s, const Vector& dz, double ds);
   void set_first_step(double ds) { smallest_interval_ = ds; }

@@ -100,6 +100,18 @@ NOX::Abstract::Group::ReturnType EquilibriumGroup::computeJacobian() {
   return Ok;
 }
 
+NOX::Abstract::Group::ReturnType EquilibriumGroup::computeDfDpMulti(const std::vector<int>& parameters,
+                                                                    NOX::Abstract::MultiVector& f_and_rates,
+                                                                    bool has_f) {
+  if (!has_f) {
+    if (computeF() != Ok) return Failed;
+    f_and_rates[0] = *f_;
+  }
+  for (size_t i = 0; i < parameters.size(); ++i)
+    equilibrium_->residual_rate(tpetra(*x_), parameter(), tpetra(f_and_rates[static_cast<int>(i) + 1]));
+  return Ok;
+}
+
 NOX::Abstract::Group::ReturnType EquilibriumGroup::computeNewton(Teuchos::ParameterList& list) {
   if (has_newton_) return Ok;
   if (computeF() != Ok || computeJacobian() != Ok) return Failed;

@@ -35,6 +35,9 @@ class EquilibriumGroup : public LOCA::Abstract::Group {
   ReturnType computeF() override;
   ReturnType computeJacobian() override;
   ReturnType computeNewton(Teuchos::ParameterList& list) override;
+  /// LOCA's own differences are 1e-6 of the parameter: at the start of a stage, where it is zero, only round-off.
+  ReturnType computeDfDpMulti(const std::vector<int>& parameters, NOX::Abstract::MultiVector& f_and_rates,
+                              bool has_f) override;
   ReturnType applyJacobian(const NOX::Abstract::Vector& in, NOX::Abstract::Vector& out) const override;
   ReturnType applyJacobianInverse(Teuchos::ParameterList& list, const NOX::Abstract::Vector& in,
                                   NOX::Abstract::Vector& out) const override;

@@ -84,14 +84,20 @@ void Equilibrium::start_step(const Vector& converged, double s) {
   elements_.adopt_frozen();
 }
 
+void Equilibrium::residual_rate(const Vector& z, double s, Vector& rate) {
+  constexpr double h = 1e-5;
+  const double before = s >= h ? s - h : s;
+  Vector start(z.getMap());
+  residual(z, before, start);
+  residual(z, s + h, rate);
+  rate.update(-1.0 / (s + h - before), start, 1.0 / (s + h - before));
+}
+
 double Equilibrium::path_direction(const Vector& z, double s, const Vector& dz, double ds) {
-  constexpr double h = 1e-6;
-  Vector before(z.getMap()), after(z.getMap()), tangent(z.getMap());
-  residual(z, s - h, before);
-  residual(z, s + h, after);
-  after.update(-0.5 / h, before, 0.5 / h);
+  Vector rate(z.getMap()), tangent(z.getMap());
+  residual_rate(z, s, rate);
   linearise(z, s);
-  if (!solve(after, tangent)) return ds;
+  if (!solve(rate, tangent)) return ds;
   return ds - dz.dot(tangent) < 0.0 ? -1.0 : 1.0;
 }
 

@@ -22,14 +22,13 @@ std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
       for (int i = 0; i < 3; ++i) {
         if (!support.held[i]) continue;
         HeldComponent& h = held[cluster_of[node]][i];
-        HeldComponent found =
-            held_component(support, i, problem.mesh->placed[problem.clusters[cluster_of[node]].front()]);
-        if (h.held && !h.moves_like(found))
+        const HeldComponent found =
+            held_component(problem, s, i, problem.mesh->placed[problem.clusters[cluster_of[node]].front()]);
+        if (h.held && !move_alike(problem, h, found))
           throw base::InputError("supports contradict each other: supports \"" + problem.supports[h.support].name +
                                  "\" and \"" + support.name + "\" move node " + std::to_string(node) +
                                  " differently in direction " + "xyz"[i]);
         h = found;
-        h.support = static_cast<int>(s);
       }
   }
   return held;
@@ -56,25 +55,29 @@ std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const St
 }  // namespace
 
 // 1 - cos as a square, so that a small turn keeps its digits.
-double HeldComponent::position(double load) const {
-  const double half = std::sin(0.5 * load * angle);
-  return base + load * displacement - 2.0 * half * half * radial + std::sin(load * angle) * tangential;
+double HeldComponent::position(double share) const {
+  const double half = std::sin(0.5 * share * angle);
+  return base + share * displacement - 2.0 * half * half * radial + std::sin(share * angle) * tangential;
 }
 
-bool HeldComponent::moves_like(const HeldComponent& other) const {
+bool move_alike(const Problem& problem, const HeldComponent& a, const HeldComponent& b) {
   constexpr double same = 1e-9;  // mm
-  const auto differ = [](double a, double b) { return std::abs(a - b) > same; };
-  if (differ(displacement, other.displacement)) return false;
+  const auto differ = [](double x, double y) { return std::abs(x - y) > same; };
+  if (differ(a.displacement, b.displacement)) return false;
   const auto turns = [&](const HeldComponent& h) {
     return h.angle != 0.0 && (differ(h.radial, 0.0) || differ(h.tangential, 0.0));
   };
-  if (!turns(*this) && !turns(other)) return true;
-  return angle == other.angle && !differ(radial, other.radial) && !differ(tangential, other.tangential);
+  const bool turn = turns(a) || turns(b);
+  if (turn && (a.angle != b.angle || differ(a.radial, b.radial) || differ(a.tangential, b.tangential))) return false;
+  const auto path = [&](const HeldComponent& h) { return problem.supports[static_cast<size_t>(h.support)].path; };
+  return (!turn && !differ(a.displacement, 0.0)) || path(a) == path(b);
 }
 
-HeldComponent held_component(const Support& support, int direction, const Vec3& placed) {
+HeldComponent held_component(const Problem& problem, size_t index, int direction, const Vec3& placed) {
+  const Support& support = problem.supports[index];
   HeldComponent h;
   h.held = true;
+  h.support = static_cast<int>(index);
   h.base = placed[direction];
   h.displacement = support.displacement[direction];
   if (!support.turn) return h;
@@ -96,10 +99,6 @@ Held find_held(const Problem& problem, const State& state, const std::set<std::s
     for (const int node : support.nodes) held.turned_by[node] = static_cast<int>(s);
   }
   return held;
-}
-
-Vec3 turned_director(const Turn& turn, const Vec3& director, double from, double to) {
-  return Eigen::AngleAxisd((to - from) * turn.angle, turn.axis) * director;
 }
 
 std::array<double, 2> rotation_to(const Frame& frame, const Vec3& director) {

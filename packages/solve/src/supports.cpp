@@ -15,6 +15,12 @@ Spec supports_spec() {
       .choice("hold", "Directions that are held; none: only \"director\".",
               {"x", "y", "z", "xy", "xz", "yz", "xyz", "none"})
       .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0})
+      .reals(
+          "loads", "",
+          "Increasing loads at which \"shares\" says how much of \"move by\" and \"turn by\" has been gone; in between "
+          "it goes linearly, before and after it rests. Left out: in step with the load.",
+          base::Reals{})
+      .reals("shares", "", "Share of the way at each of \"loads\".", base::Reals{})
       .real("turn by", "deg",
             "Rotation about the axis at load 1, right-handed; nodes move on circles, and \"move by\" is added. Held "
             "directors turn with it. All directions must be held; one along the axis may be left free. The torque is "
@@ -60,6 +66,18 @@ void read_turn(const List& entry, Support& support) {
     entry.fail("director", "a plane of symmetry does not turn: with \"turn by\" it must be \"free\" or \"held\"");
 }
 
+MotionPath read_path(const List& support) {
+  const MotionPath path{support.reals("loads"), support.reals("shares")};
+  if (path.loads.size() != path.shares.size())
+    support.fail("shares", "found " + std::to_string(path.shares.size()) + " values, but \"loads\" has " +
+                               std::to_string(path.loads.size()) + "; there must be one share for each load");
+  if (path.loads.size() == 1) support.fail("loads", "found a single load; a path needs two or more");
+  for (size_t k = 1; k < path.loads.size(); ++k)
+    if (path.loads[k] <= path.loads[k - 1])
+      support.fail("loads", "must increase strictly, but value number " + std::to_string(k + 1) + " does not");
+  return path;
+}
+
 }  // namespace
 
 std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
@@ -78,6 +96,7 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
     for (int i = 0; i < 3; ++i)
       if (s.displacement[i] != 0.0 && !s.held[i])
         entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
+    s.path = read_path(entry);
     const std::string& director = entry.word("director");
     s.director = director == "held"       ? DirectorSupport::held
                  : director == "symmetry" ? DirectorSupport::symmetry

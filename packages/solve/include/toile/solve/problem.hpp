@@ -22,22 +22,32 @@ enum class DirectorSupport {
   symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
 };
 
+/// How much of its way a support has gone at a load: piecewise linear, constant beyond its ends; the load itself if
+/// empty.
+struct MotionPath {
+  std::vector<double> loads;   ///< strictly increasing
+  std::vector<double> shares;  ///< [load]
+  double share(double load) const;
+  bool operator==(const MotionPath& other) const { return loads == other.loads && shares == other.shares; }
+};
+
 /// Rotation about an axis that is fixed in space.
 struct Turn {
   Vec3 point = Vec3::Zero();  ///< of the axis, mm
   Vec3 axis = Vec3::UnitZ();  ///< unit vector
-  double angle = 0.0;         ///< rad at load 1, right-handed about `axis`
+  double angle = 0.0;         ///< rad at share 1, right-handed about `axis`
 };
 
-/// Nodes whose positions are held in some directions; on their way to full load they turn and are moved:
-/// x(load) = point + Exp(load angle axis) (X - point) + load displacement, with X the placed position.
+/// Nodes whose positions are held in some directions; on their way they turn and are moved, both by a share that goes
+/// with the load: x = point + Exp(share angle axis) (X - point) + share displacement, with X the placed position.
 struct Support {
   std::string name;
   std::vector<int> nodes;
   std::array<bool, 3> held{};
-  Vec3 displacement = Vec3::Zero();  ///< mm at load 1
+  Vec3 displacement = Vec3::Zero();  ///< mm at share 1
   DirectorSupport director = DirectorSupport::free;
   std::optional<Turn> turn = std::nullopt;  ///< takes held directors with it; needs the directions across its axis held
+  MotionPath path = {};
 };
 
 /// Dead force or moment, shared by some nodes.
