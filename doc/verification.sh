@@ -29,6 +29,7 @@ section() {  # title, text, test
     contact_leg_test
   section "Cook's membrane" "Uniform meshes converge with the rate of the corner's singularity (1.248), graded ones with second order." plane_cook_test
   section "Clamped strips" "Uniform meshes and meshes graded to the corners, wale at 0, 45 and 90 degrees to the pull." plane_strip_test
+  section "Annulus in torsion" "Tension field of a sheet whose hub is turned in its plane (input/benchmarks/annulus-torsion.xml): torque of the relaxed and of the unwrinkled sheet against an axisymmetric solution, rates, how far the wrinkles reach, straight lines of tension, and the closed form of Stein and Hedgepeth (1961) at small angles." annulus_torsion_test
   section "Shells in large rotations" "Scenes of input/benchmarks against Sze, Liu and Lo (2004): S4R elements on the same meshes." shell_benchmark_test
   section "Sleeve of shells on its inner face" "Pressure away from ends and seam against that of a plane-stress shell, 0.72967 kPa; the tube of finite thickness has 0.73131 kPa: the model's error is -0.22 %." shell_sleeve_test
   section "Inflated membrane" "Height of the pole of a clamped circular membrane under follower pressure." inflation_test
