@@ -104,7 +104,7 @@ TEST(KaptonShear, ImperfectionOfAnotherWavelengthDoesNotImposeIt) {
   Teuchos::ParameterList scene = changeable_scene("benchmarks/kapton-shear.xml");
   Teuchos::ParameterList& imperfection = scene.sublist("Panels").sublist("foil").sublist("Imperfection");
   imperfection.set("type", "waves");
-  imperfection.set("half-waves", Teuchos::Array<double>({8.0, 1.0}));
+  imperfection.set("half-waves", reals({8.0, 1.0}));
   for (const char* stage : {"shear by 2 mm", "shear by 3 mm"}) scene.sublist("Stages").remove(stage);
   const PlaneRun foil = run(scene);
   const Wrinkles found = wrinkles(foil, foil.last());

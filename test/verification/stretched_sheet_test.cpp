@@ -132,7 +132,7 @@ TEST_F(StretchedSheet, WrinklesDoNotDependOnTheImperfection) {
   panel.set("elements across", 24);
   panel.set("elements along", 72);
   panel.sublist("Imperfection").set("type", "waves");
-  panel.sublist("Imperfection").set("half-waves", Teuchos::Array<double>({1.0, 5.0}));
+  panel.sublist("Imperfection").set("half-waves", reals({1.0, 5.0}));
   const PlaneRun waves = run(scene);
   const std::vector<double> expected = heights(shipped()), height = heights(waves);
   double worst = 0.0;
@@ -160,9 +160,7 @@ TEST_F(StretchedSheet, ShortSheetDoesNotWrinkle) {
   constexpr double half_length = 0.75 * width;
   scene.sublist("Panels").sublist("sheet").set("width", half_length);
   scene.sublist("Panels").sublist("sheet").set("elements across", 24);
-  scene.sublist("Supports")
-      .sublist("plane of symmetry")
-      .set("move by", Teuchos::Array<double>({half_length, 0.0, 0.0}));
+  scene.sublist("Supports").sublist("plane of symmetry").set("move by", reals({half_length, 0.0, 0.0}));
   const PlaneRun sheet = run(scene);
   const std::vector<double> height = heights(sheet);
   EXPECT_LT(*std::max_element(height.begin(), height.end()), flat);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,9 @@ namespace toile::test {
 
 /// A scene of input/ that the caller may change.
 Teuchos::ParameterList changeable_scene(const std::string& file);
+
+/// Value of a parameter of type Array(double).
+Teuchos::Array<double> reals(std::initializer_list<double> values);
 
 /// Nodes of the panel on a line of the pattern: their present place along it and their displacement out of the plane.
 struct Profile {
