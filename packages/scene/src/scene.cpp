@@ -164,7 +164,7 @@ void Scene::check_shells_of_moments(const base::List& loads) const {
 }
 
 void Scene::check_shells_of_supports(const base::List& supports) const {
-  constexpr double least = 0.1;  // of the normal, in the planes of symmetry
+  constexpr double least = 0.1;  // of the normal, in the plane of symmetry or of the diaphragm
   for (const solve::Support& support : problem_.supports) {
     if (support.director == solve::DirectorSupport::free) continue;
     if (!all_shells(support.nodes))
@@ -181,6 +181,13 @@ void Scene::check_shells_of_supports(const base::List& supports) const {
                 "director",
                 "\"symmetry\" needs held directions that lie in the panel, and one of these is along its normal; hold "
                 "that direction in a support of its own");
+      if (support.director == solve::DirectorSupport::diaphragm &&
+          solve::diaphragm_normal(problem_, support, node).norm() < least)
+        entry_of(supports, support.name)
+            .fail("director",
+                  "\"diaphragm\" needs a panel that passes through its plane, but this one lies in it; leave "
+                  "\"director\" "
+                  "out, or make it \"held\"");
     }
   }
 }

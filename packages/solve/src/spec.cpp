@@ -161,9 +161,10 @@ Spec supports_spec() {
               {"x", "y", "z", "xy", "xz", "yz", "xyz", "none"})
       .reals("move by", "mm", "Displacement of the held directions at load 1 (x, y, z).", base::Reals{0.0, 0.0, 0.0})
       .choice("director",
-              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), or symmetry (the panel stays "
-              "perpendicular to the plane of symmetry, whose normal is each held direction).",
-              {"free", "held", "symmetry"}, std::string("free"));
+              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), symmetry (the panel stays "
+              "perpendicular to the plane of symmetry, whose normal is each held direction), or diaphragm (a hinge on "
+              "a rigid plate: the panel turns about its edge but does not twist along it).",
+              {"free", "held", "symmetry", "diaphragm"}, std::string("free"));
   return Spec("Supports", "Where the garment is held.").entries(support);
 }
 
@@ -184,9 +185,14 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
       if (s.displacement[i] != 0.0 && !s.held[i])
         entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
     const std::string& director = entry.word("director");
-    s.director = director == "held"       ? DirectorSupport::held
-                 : director == "symmetry" ? DirectorSupport::symmetry
-                                          : DirectorSupport::free;
+    s.director = director == "held"        ? DirectorSupport::held
+                 : director == "symmetry"  ? DirectorSupport::symmetry
+                 : director == "diaphragm" ? DirectorSupport::diaphragm
+                                           : DirectorSupport::free;
+    if (s.director == DirectorSupport::diaphragm && hold.size() != 2)
+      entry.fail(
+          "director",
+          "\"diaphragm\" needs the two held directions of its plane (xy, xz or yz), but \"hold\" is \"" + hold + "\"");
     if (hold == "none" && s.director != DirectorSupport::held)
       entry.fail("hold", "holds nothing: name a direction, or hold the director of a shell (\"director\" = held)");
     supports.push_back(s);

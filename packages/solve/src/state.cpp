@@ -44,11 +44,29 @@ std::vector<Vec3> symmetry_normals(const Problem& problem, int node) {
   return normals;
 }
 
-Frame start_frame(const Problem& problem, int node) {
+namespace {
+
+/// Director at the start.
+Vec3 placed_director(const Problem& problem, int node) {
   Vec3 d = problem.mesh->normal[node];
-  const std::vector<Vec3> planes = symmetry_normals(problem, node);
-  for (const Vec3& n : planes) d -= n.dot(d) * n;
-  d.normalize();
+  for (const Vec3& n : symmetry_normals(problem, node)) d -= n.dot(d) * n;
+  return d.normalized();
+}
+
+}  // namespace
+
+Vec3 diaphragm_normal(const Problem& problem, const Support& support, int node) {
+  const Vec3 sliding(support.held[0] ? 0.0 : 1.0, support.held[1] ? 0.0 : 1.0, support.held[2] ? 0.0 : 1.0);
+  return sliding.cross(placed_director(problem, node));
+}
+
+Frame start_frame(const Problem& problem, int node) {
+  const Vec3 d = placed_director(problem, node);
+  std::vector<Vec3> planes = symmetry_normals(problem, node);
+  for (const Support& support : problem.supports)
+    if (support.director == DirectorSupport::diaphragm &&
+        std::find(support.nodes.begin(), support.nodes.end(), node) != support.nodes.end())
+      planes.push_back(diaphragm_normal(problem, support, node));
   Eigen::Index smallest = 0;
   d.cwiseAbs().minCoeff(&smallest);
   const Vec3 wanted = planes.empty() ? Vec3::Unit(smallest).eval() : planes.front();

@@ -16,9 +16,10 @@ using Vec3 = Eigen::Vector3d;
 
 /// What a support does to the directors of its nodes (shells only).
 enum class DirectorSupport {
-  free,     ///< a hinge
-  held,     ///< a clamp
-  symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
+  free,      ///< a hinge
+  held,      ///< a clamp
+  symmetry,  ///< stays perpendicular to each held direction: the plane of symmetry
+  diaphragm  ///< tilts about the edge only: stays in the plane of its start and the one direction that is not held
 };
 
 /// Nodes whose positions are held in some directions, and moved by `displacement` at full load.
@@ -108,6 +109,10 @@ State placed_state(const Problem& problem);
 
 /// Normals of the planes of symmetry that a node's director must stay in.
 std::vector<Vec3> symmetry_normals(const Problem& problem, int node);
+
+/// Normal of the plane in which a diaphragm keeps the director of a node; its length is the sine of the angle between
+/// the director and the direction that is not held.
+Vec3 diaphragm_normal(const Problem& problem, const Support& support, int node);
 
 /// The frame of a shell's node at the start, see placed_state.
 Frame start_frame(const Problem& problem, int node);
