@@ -293,6 +293,22 @@ TEST_F(BadInput, DirectorOfAMembrane) {
   expect_refused("scene > Supports > plane: parameter \"director\" = \"held\": is for shells");
 }
 
+// A diaphragm whose plane is not given, or lies in the panel.
+TEST_F(BadInput, DiaphragmWithoutItsPlane) {
+  const std::string hold = parameter("hold", "string", "z");
+  write_scene("strip", {{hold, hold + parameter("director", "string", "diaphragm")}});
+  expect_refused(
+      "scene > Supports > plane: parameter \"director\" = \"diaphragm\": \"diaphragm\" needs the two held directions "
+      "of its plane (xy, xz or yz), but \"hold\" is \"z\"");
+}
+TEST_F(BadInput, DiaphragmInThePlaneOfThePanel) {
+  const std::string along = parameter("elements along", "int", "10");
+  write_scene("strip", {{parameter("hold", "string", "z"),
+                         parameter("hold", "string", "xy") + parameter("director", "string", "diaphragm")},
+                        {along, along + "<ParameterList name=\"Shell\"/>"}});
+  expect_refused("\"diaphragm\" needs a panel that passes through its plane, but this one lies in it");
+}
+
 // Arc length continuation follows undamped equilibria.
 TEST_F(BadInput, ArcLengthWithDamping) {
   const std::string type = parameter("type", "string", "load");

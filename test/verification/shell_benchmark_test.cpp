@@ -83,7 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "3.4_hemisphere_hole.csv",
                   "P/Pmax",
                   {{"A", 1, 1.0, "V_A"}, {"B", 0, -1.0, "minus_U_B"}},
-                  0.01}),
+                  0.01},
+        Benchmark{"pinched-cylinder",
+                  "3.6_pinched_cylinder_diaphragm.csv",
+                  "P/Pmax",
+                  {{"A", 2, -1.0, "minus_W_A"}, {"B", 0, 1.0, "U_B"}},
+                  0.03}),
     [](const auto& instance) {
       std::string name = instance.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');

@@ -178,8 +178,9 @@ void Scene::check_shells_of_moments(const base::List& loads) const {
 }
 
 void Scene::check_shells_of_supports(const base::List& supports) const {
-  constexpr double least = 0.1;  // of the normal, in the planes of symmetry
+  constexpr double least = 0.1;  // of the normal, in the plane of symmetry or of the diaphragm
   const std::vector<std::array<bool, 3>> planes = solve::symmetry_planes(problem_);
+  const std::vector<solve::Frame> start = solve::start_frames(problem_);
   for (const solve::Support& support : problem_.supports) {
     if (support.director == solve::DirectorSupport::free) continue;
     if (!all_shells(support.nodes))
@@ -197,6 +198,12 @@ void Scene::check_shells_of_supports(const base::List& supports) const {
                 "director",
                 "\"symmetry\" needs held directions that lie in the panel, and one of these is along its normal; hold "
                 "that direction in a support of its own");
+      if (support.director == solve::DirectorSupport::diaphragm &&
+          solve::diaphragm_normal(support, start[node].row(2)).norm() < least)
+        entry_of(supports, support.name)
+            .fail("director",
+                  "\"diaphragm\" needs a panel that passes through its plane, but this one lies in it; leave "
+                  "\"director\" out, or make it \"held\"");
     }
   }
 }

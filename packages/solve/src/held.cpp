@@ -34,20 +34,36 @@ std::vector<std::array<HeldComponent, 3>> held_positions(const Problem& problem,
   return held;
 }
 
-/// Which rotations the supports hold: all of a clamp, and those out of a plane of symmetry.
+/// Whether a support holds the rotation that moves a director along `tangent`, the first of which start_frames laid
+/// along the normal of the plane that the director stays in. `start`: the director at the start.
+bool holds(const Support& support, const Vec3& tangent, const Vec3& start) {
+  constexpr double along = 0.9;
+  switch (support.director) {
+    case DirectorSupport::free:
+      return false;
+    case DirectorSupport::held:
+      return true;
+    case DirectorSupport::symmetry:
+      for (Eigen::Index d = 0; d < 3; ++d)
+        if (support.held[static_cast<size_t>(d)] && std::abs(tangent[d]) > along) return true;
+      return false;
+    case DirectorSupport::diaphragm:
+      return std::abs(tangent.dot(diaphragm_normal(support, start).normalized())) > along;
+  }
+  return false;
+}
+
+/// Which rotations the supports hold: all of a clamp, and those out of a plane of symmetry or of a diaphragm.
 std::vector<std::array<bool, 2>> held_rotations(const Problem& problem, const State& state,
                                                 const std::set<std::string>& released) {
   std::vector<std::array<bool, 2>> held;
   for (const bool is_shell : shell_nodes(problem)) held.push_back({!is_shell, !is_shell});
-  constexpr double along = 0.9;  // a tangent that start_frames laid along the normal of the plane
+  const std::vector<Frame> start = start_frames(problem);
   for (const Support& support : problem.supports) {
-    if (support.director == DirectorSupport::free || released.count(support.name)) continue;
+    if (released.count(support.name)) continue;
     for (const int node : support.nodes)
       for (Eigen::Index k = 0; k < 2; ++k)
-        for (Eigen::Index d = 0; d < 3; ++d)
-          if (support.director == DirectorSupport::held ||
-              (support.held[static_cast<size_t>(d)] && std::abs(state.frame[node](k, d)) > along))
-            held[node][static_cast<size_t>(k)] = true;
+        if (holds(support, state.frame[node].row(k), start[node].row(2))) held[node][static_cast<size_t>(k)] = true;
   }
   return held;
 }

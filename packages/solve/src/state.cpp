@@ -43,32 +43,64 @@ std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem) {
   return planes;
 }
 
+Vec3 diaphragm_normal(const Support& support, const Vec3& director) {
+  const Vec3 sliding(support.held[0] ? 0.0 : 1.0, support.held[1] ? 0.0 : 1.0, support.held[2] ? 0.0 : 1.0);
+  return sliding.cross(director);
+}
+
 namespace {
 
-Frame start_frame(const Vec3& normal, const std::array<bool, 3>& planes) {
-  Vec3 d = normal;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    if (planes[static_cast<size_t>(i)]) d[i] = 0.0;
-  d.normalize();
-  Eigen::Index along = 0;
-  d.cwiseAbs().minCoeff(&along);
-  const auto* plane = std::find(planes.begin(), planes.end(), true);
-  if (plane != planes.end()) along = plane - planes.begin();
-  const Vec3 wanted = Vec3::Unit(along);
-  const Vec3 t1 = (wanted - wanted.dot(d) * d).normalized();
+/// [node] directors at the start: normals of the placed panel, in the planes of symmetry.
+std::vector<Vec3> start_directors(const Problem& problem, const std::vector<std::array<bool, 3>>& planes) {
+  std::vector<Vec3> directors = problem.mesh->normal;
+  for (size_t n = 0; n < planes.size(); ++n) {
+    for (Eigen::Index i = 0; i < 3; ++i)
+      if (planes[n][static_cast<size_t>(i)]) directors[n][i] = 0.0;
+    directors[n].normalize();
+  }
+  return directors;
+}
+
+/// The frame of a director with t_1 as close to `wanted` as can be.
+Frame frame_of(const Vec3& director, const Vec3& wanted) {
+  const Vec3 t1 = (wanted - wanted.dot(director) * director).normalized();
   Frame frame;
-  frame << t1.transpose(), d.cross(t1).transpose(), d.transpose();
+  frame << t1.transpose(), director.cross(t1).transpose(), director.transpose();
   return frame;
+}
+
+/// [node] what the first tangent is to be: the normal of the plane that a support keeps the director in, if there is
+/// one.
+std::vector<Vec3> wanted_tangents(const Problem& problem, const std::vector<std::array<bool, 3>>& planes,
+                                  const std::vector<Vec3>& directors) {
+  std::vector<Vec3> wanted(directors.size());
+  for (size_t n = 0; n < directors.size(); ++n) {
+    Eigen::Index smallest = 0;
+    directors[n].cwiseAbs().minCoeff(&smallest);
+    wanted[n] = Vec3::Unit(smallest);
+  }
+  for (const Support& support : problem.supports) {
+    if (support.director != DirectorSupport::diaphragm) continue;
+    for (const int node : support.nodes) wanted[node] = diaphragm_normal(support, directors[node]);
+  }
+  for (size_t n = 0; n < directors.size(); ++n) {
+    const auto* plane = std::find(planes[n].begin(), planes[n].end(), true);
+    if (plane != planes[n].end()) wanted[n] = Vec3::Unit(plane - planes[n].begin());
+  }
+  return wanted;
 }
 
 }  // namespace
 
 std::vector<Frame> start_frames(const Problem& problem) {
   const std::vector<bool> shell = shell_nodes(problem);
-  const std::vector<std::array<bool, 3>> planes = symmetry_planes(problem);
   std::vector<Frame> frames(shell.size(), Frame::Identity());
+  if (std::find(shell.begin(), shell.end(), true) == shell.end()) return frames;
+  const std::vector<std::array<bool, 3>> planes = symmetry_planes(problem);
+  const std::vector<Vec3> directors = start_directors(problem, planes);
+  const std::vector<Vec3> wanted = wanted_tangents(problem, planes, directors);
   for (size_t n = 0; n < shell.size(); ++n)
-    if (shell[n]) frames[n] = start_frame(problem.mesh->normal[n], planes[n]);
+    if (shell[n]) frames[n] = frame_of(directors[n], wanted[n]);
   return frames;
 }
 

@@ -29,9 +29,10 @@ Spec supports_spec() {
       .reals("axis point", "mm", "Point of the axis of \"turn by\".", base::Reals{0.0, 0.0, 0.0})
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
       .choice("director",
-              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), or symmetry (the panel stays "
-              "perpendicular to the plane of symmetry, whose normal is each held direction).",
-              {"free", "held", "symmetry"}, std::string("free"));
+              "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), symmetry (the panel stays "
+              "perpendicular to the plane of symmetry, whose normal is each held direction), or diaphragm (a hinge on "
+              "a rigid plate: the panel turns about its edge but does not twist along it).",
+              {"free", "held", "symmetry", "diaphragm"}, std::string("free"));
   return Spec("Supports", "Where the garment is held.").entries(support);
 }
 
@@ -62,8 +63,9 @@ void read_turn(const List& entry, Support& support) {
   if (direction.norm() == 0.0) entry.fail("axis direction", "must not be zero");
   support.turn = Turn{read_vector(entry, "axis point"), direction.normalized(), entry.real("turn by") * M_PI / 180.0};
   check_held_across(entry, support);
-  if (support.director == DirectorSupport::symmetry)
-    entry.fail("director", "a plane of symmetry does not turn: with \"turn by\" it must be \"free\" or \"held\"");
+  if (support.director != DirectorSupport::free && support.director != DirectorSupport::held)
+    entry.fail("director",
+               "a plane of symmetry or a diaphragm does not turn: with \"turn by\" it must be \"free\" or \"held\"");
 }
 
 MotionPath read_path(const List& support) {
@@ -98,9 +100,14 @@ std::vector<Support> read_supports(const List& list, const mesh::Mesh& mesh) {
         entry.fail("move by", std::string("moves in ") + "xyz"[i] + ", but \"hold\" is \"" + hold + "\"");
     s.path = read_path(entry);
     const std::string& director = entry.word("director");
-    s.director = director == "held"       ? DirectorSupport::held
-                 : director == "symmetry" ? DirectorSupport::symmetry
-                                          : DirectorSupport::free;
+    s.director = director == "held"        ? DirectorSupport::held
+                 : director == "symmetry"  ? DirectorSupport::symmetry
+                 : director == "diaphragm" ? DirectorSupport::diaphragm
+                                           : DirectorSupport::free;
+    if (s.director == DirectorSupport::diaphragm && hold.size() != 2)
+      entry.fail(
+          "director",
+          "\"diaphragm\" needs the two held directions of its plane (xy, xz or yz), but \"hold\" is \"" + hold + "\"");
     if (hold == "none" && s.director != DirectorSupport::held)
       entry.fail("hold", "holds nothing: name a direction, or hold the director of a shell (\"director\" = held)");
     read_turn(entry, s);

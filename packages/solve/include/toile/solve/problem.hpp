@@ -17,9 +17,10 @@ using Vec3 = Eigen::Vector3d;
 
 /// What a support does to the directors of its nodes (shells only).
 enum class DirectorSupport {
-  free,     ///< a hinge
-  held,     ///< a clamp
-  symmetry  ///< stays perpendicular to each held direction: the plane of symmetry
+  free,      ///< a hinge
+  held,      ///< a clamp
+  symmetry,  ///< stays perpendicular to each held direction: the plane of symmetry
+  diaphragm  ///< tilts about the edge only: stays in the plane of its start and the one direction that is not held
 };
 
 /// How much of its way a support has gone at a load: piecewise linear, constant beyond its ends; the load itself if
@@ -131,6 +132,10 @@ std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem);
 
 /// [node] frames of the shells' nodes at the start, see placed_state; the identity at other nodes.
 std::vector<Frame> start_frames(const Problem& problem);
+
+/// Normal of the plane in which a diaphragm keeps a node's director, from that at the start; its length is the sine of
+/// the angle between the director and the direction that is not held.
+Vec3 diaphragm_normal(const Support& support, const Vec3& director);
 
 /// Nodes of shells, [node].
 std::vector<bool> shell_nodes(const Problem& problem);
