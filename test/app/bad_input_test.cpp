@@ -309,6 +309,16 @@ TEST_F(BadInput, DiaphragmInThePlaneOfThePanel) {
   expect_refused("\"diaphragm\" needs a panel that passes through its plane, but this one lies in it");
 }
 
+// A tension field in a shell, which would wrinkle twice.
+TEST_F(BadInput, TensionFieldInAShell) {
+  const std::string set = parameter("set", "string", "pantyhose"), material = parameter("material", "string", "fabric");
+  write_scene("strip", {{set, set + parameter("compression", "string", "tension field")},
+                        {material, material + "<ParameterList name=\"Shell\"/>"}});
+  expect_refused(
+      "scene > Panels > strip: parameter \"material\" = \"fabric\": the fabric is a tension field (\"compression\" of "
+      "\"fabric\"), in which fine wrinkles take up all compression: for membranes.");
+}
+
 // Arc length continuation follows undamped equilibria.
 TEST_F(BadInput, ArcLengthWithDamping) {
   const std::string type = parameter("type", "string", "load");

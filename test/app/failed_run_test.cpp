@@ -36,6 +36,27 @@ TEST_F(FailedRun, LeavesTheLastConvergedState) {
   EXPECT_THAT(run.err, HasSubstr("The last converged state, step " + std::to_string(steps) + ","));
 }
 
+/// The strip of the hosiery rebar fabric, its polynomials taken beyond their range, pulled along the course.
+std::vector<std::pair<std::string, std::string>> literal_rebar(const std::string& movement) {
+  const std::string set = "<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>",
+                    shape = "<Parameter name=\"shape\"";
+  return {{"\"itskov\"", "\"rebar\""},
+          {set, set + "<Parameter name=\"calibrated strain\" type=\"double\" value=\"3\"/>"},
+          {shape, "<Parameter name=\"wale angle\" type=\"double\" value=\"0\"/>" + shape},
+          {"{0, 20, 0}", movement}};
+}
+
+// A run that fails because its fabric gives way says where and in which state.
+TEST_F(FailedRun, NamesWhereTheFabricGivesWay) {
+  write_scene("strip", literal_rebar("{0, 260, 0}"));
+  const Outcome run = toile("run scene.xml --output out");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("toile: stage \"pull\" could not reach its end"),
+                             HasSubstr("In the last converged state the fabric loses strong ellipticity"),
+                             HasSubstr("of panel \"strip\"; worst in panel \"strip\", element "),
+                             HasSubstr("softens in tension"), HasSubstr("The last converged state, step ")));
+}
+
 // A stage that runs out of steps says so.
 TEST_F(FailedRun, RunsOutOfSteps) {
   write_scene("strip", {{"value=\"load\"/>",

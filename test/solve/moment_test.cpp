@@ -6,6 +6,7 @@
 #include "panels.hpp"
 #include "recorded.hpp"
 #include "stages.hpp"
+#include "toile/material/relaxed_response.hpp"
 
 namespace toile::test {
 namespace {
@@ -88,6 +89,36 @@ TEST(Moment, DirectorsOfHeldPositions) {
     EXPECT_LT(run.last().residual, 1e-10);
     for (const int node : load.nodes)
       EXPECT_NEAR(angle(run.simulation.state(), node), 0.5 * std::asin(2.0 * m / shear_modulus), 1e-8) << node;
+  }
+}
+
+// A clamped strip whose fibres carry no compression, of modulus Y and without Poisson contraction, under a tension N at
+// the eccentricity e = M/N > h/6: only the depth c = 3 (h/2 - e) carries, and the curvature is 2 N/(Y c^2), not the
+// 12 M/(Y h^3) of the whole section. (Seven layers integrate the kink to 0.4 %.)
+TEST(Moment, OnlyStretchedFibresBend) {
+  constexpr double young = 0.1, tension = 1e-8, e = 0.25, c = 3.0 * (0.5 - e);
+  const material::MaterialV1& law = *material::find("isotropic-elastic");
+  for (const bool slack : {true, false}) {
+    const auto response = std::make_shared<material::RelaxedResponse>(law, material::Relaxation::slack_fibres, 1e-4);
+    Panels strip(
+        std::make_shared<material::Material>(law, std::vector<double>{young, 0.0}, 1.0, slack ? response : nullptr));
+    strip.add(solve::Vec3::Zero(), solve::Vec3::UnitX(), solve::Vec3::UnitY(), 0);
+    strip.make_shells(young);
+    strip.problem.laws[0].shell.layers = 7;
+    solve::NodalLoad pull = edge_moment(Panels::across, 0.0), bend = edge_moment(Panels::across, e * tension);
+    pull.moment = false;
+    pull.value = tension * solve::Vec3::UnitX();
+    strip.problem.loads = {pull, bend};
+    strip.hold_nodes(edge_moment(0, 0.0).nodes, {true, false, true});
+    strip.problem.supports.back().director = solve::DirectorSupport::held;
+    strip.hold_nodes({0}, {false, true, false});
+    Recorded run(strip.problem);
+    run.simulation.run(stage(solve::StageType::load));
+    const double curvature =
+        angle(run.simulation.state(), Panels::node(0, Panels::across, 2)) / (Panels::size * Panels::across);
+    const double expected = (slack ? 2.0 / (c * c) : 12.0 * e) * tension / young;
+    EXPECT_NEAR(curvature, expected, 0.01 * expected) << slack;
+    EXPECT_THAT(run.simulation.warnings(), IsEmpty());
   }
 }
 

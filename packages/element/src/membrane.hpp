@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "membrane_point.hpp"
+#include "point_response.hpp"
 #include "principal_stress.hpp"
 #include "toile/element/element.hpp"
 
@@ -232,13 +233,7 @@ void Membrane<Nodes, Points>::add_wrinkles(const Batch& batch, const Chunk& chun
                            direction.data());
   for (int k = 0; k < chunk.n; ++k) {
     out.wrinkle_state.push_back(state[k]);
-    const auto& a = chunk.point[k].a;
-    double crest[3], squared = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      crest[i] = direction[k] * a[0][i] + direction[chunk.n + k] * a[1][i];
-      squared += crest[i] * crest[i];
-    }
-    for (const double value : crest) out.wrinkle_crest.push_back(squared > 0.0 ? value / std::sqrt(squared) : 0.0);
+    add_crest(chunk.point[k].a, direction[k], direction[chunk.n + k], out);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "assumed_shear.hpp"
 #include "hourglass.hpp"
@@ -88,6 +89,8 @@ class Shell final : public Element {
   static void freeze_element(const Chunk& chunk, const PointResponse& natural, int k, double* frozen);
   /// Fields of the in-plane point k of the chunk: of its middle layer, with the worst status of its layers.
   static void write_point(const Chunk& chunk, int k, std::size_t at, PointFields& out);
+  /// Appends the wrinkles at the middle layer of the chunk's `count` elements from `first` on.
+  static void add_wrinkles(const Batch& batch, const Chunk& chunk, int first, int count, PointFields& out);
   static void set_nan(const Result& result, std::ptrdiff_t e);
 
   const char* name_;
@@ -268,6 +271,7 @@ PointFields Shell<Nodes, Edges, Points, ShearPoints, Control>::fields(const Batc
     for (int k = 0; k < count * Points; ++k) {
       write_point(chunk, k, static_cast<std::size_t>(first) * Points + k, out);
     }
+    if (batch.response->relaxes()) add_wrinkles(batch, chunk, first, count, out);
   }
   return out;
 }
@@ -290,6 +294,25 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::write_point(const Chunk&
   std::copy_n(C, 3, &out.C[3 * at]);
   std::copy_n(S, 3, &out.S[3 * at]);
   std::copy_n(principal.data(), 2, &out.cauchy_principal[2 * at]);
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+void Shell<Nodes, Edges, Points, ShearPoints, Control>::add_wrinkles(const Batch& batch, const Chunk& chunk, int first,
+                                                                     int count, PointFields& out) {
+  PointResponse middle;
+  middle.resize(count * Points);
+  for (int k = 0; k < middle.n; ++k) {
+    double C[3];
+    chunk.response.pick(chunk.response.C, k * chunk.layers.n + chunk.layers.n / 2, 1.0, C);
+    middle.set_C(k, C);
+  }
+  std::vector<material::WrinkleState> state;
+  std::vector<double> direction;
+  middle.wrinkles(batch, first, Points, state, direction);
+  for (int k = 0; k < middle.n; ++k) {
+    out.wrinkle_state.push_back(state[k]);
+    add_crest(chunk.state[k / Points].point[k % Points].a, direction[k], direction[middle.n + k], out);
+  }
 }
 
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>

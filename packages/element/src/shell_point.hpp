@@ -32,8 +32,8 @@ struct ShellPoint {
   void set_curvature(const ShellNodes<Nodes>& nodes);
   void deform(const ShellNodes<Nodes>& nodes, double thickness_stretch);
   void base(double z, double (&p)[2][3]) const;
-  /// C11, C22, C12 at height z; zero, which no material admits, of a layer that curvature has turned inside out (its C
-  /// alone would not tell).
+  /// C11, C22, C12 at height z; of negative determinant, which neither a law nor a relaxed one admits, of a layer that
+  /// curvature has turned inside out (its C alone would not tell).
   void deformation(double z, double (&C)[3]) const;
 };
 
@@ -101,7 +101,9 @@ void ShellPoint<Nodes>::deformation(double z, double (&C)[3]) const {
   cross(a[0], a[1], normal);
   cross(p[0], p[1], layer_normal);
   if (!(dot(normal, layer_normal) > 0.0)) {
-    std::fill_n(C, 3, 0.0);
+    C[0] = -1.0;
+    C[1] = 1.0;
+    C[2] = 0.0;
     return;
   }
   C[0] = dot(p[0], p[0]);

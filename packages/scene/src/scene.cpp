@@ -120,11 +120,12 @@ void Scene::build_laws(const base::List& list) {
     if (shell && fabric.graduated() && !shell->shear_modulus)
       list.list("Panels").entries()[b].list("Shell").fail(
           "shear modulus", "is not found from a graduated fabric; give it a value for the whole panel");
-    if (shell && fabric.response().relaxes())
+    if (shell && entry_of(list.list("Materials"), fabric.name()).word("compression") == "tension field")
       list.list("Panels").entries()[b].fail(
-          "material", "the fabric wrinkles (\"compression\" of \"" + fabric.name() +
-                          "\"), which is for membranes: a shell wrinkles by itself. Give the fabric \"compression\" = "
-                          "full, or leave out the list \"Shell\"");
+          "material", "the fabric is a tension field (\"compression\" of \"" + fabric.name() +
+                          "\"), in which fine wrinkles take up all compression: for membranes. A shell has bending "
+                          "stiffness and wrinkles by itself, as wide as its thickness has it. Give the fabric "
+                          "\"compression\" = \"slack fibres\" or \"full\", or leave out the list \"Shell\"");
     const char* name = !shell           ? (quads ? "membrane4" : "membrane3")
                        : !quads         ? "shell3"
                        : shell->reduced ? "shell4r"

@@ -23,7 +23,7 @@ struct ForceBalance {
   /// Sum of the magnitudes of the nodal forces, pins included, and of the moments over the distance of two nodes. Not
   /// less than the forces that round-off leaves would need to count.
   double magnitude = 0.0;
-  Vec3 sum() const;            ///< without the pins, so that a force that nothing real carries shows
+  Vec3 sum() const;  ///< without the pins, so that a force that nothing real carries shows
 };
 
 /// What lies between an accepted step and the one before, told by a change of the number of negative pivots.
