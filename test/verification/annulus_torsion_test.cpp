@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
+#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -34,6 +35,11 @@ Annulus with_mesh(double ratio, int level) {
   a.across = (ratio < 1.5 ? 96 : 48) << level;
   a.along = (ratio < 1.5 ? 4 : 8) << level;
   return a;
+}
+
+/// Rates are measured on one rank; several must find the same torque, on a coarser mesh.
+bool on_one_rank() {
+  return Tpetra::getDefaultComm()->getSize() == 1;
 }
 
 struct Torsion {
@@ -141,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Ratios, AnnulusTorsion, testing::Values(1.25, 2.0));
 
 // The torque of the wrinkled sheet, and of a sheet that carries compression, is the reference's at every angle.
 TEST_P(AnnulusTorsion, TorqueIsTheReferences) {
-  Annulus a = with_mesh(GetParam(), 2);
+  Annulus a = with_mesh(GetParam(), on_one_rank() ? 2 : 1);
+  const double allowed = on_one_rank() ? 0.001 : 0.005;
   const std::vector<ReferenceRow> rows = reference(a.ratio);
   a.step = 0.05;
   a.angle = rows.back().angle;
@@ -153,8 +160,8 @@ TEST_P(AnnulusTorsion, TorqueIsTheReferences) {
     const double full_error = full.torque(row.angle) / row.unrelaxed - 1.0;
     print("ratio %.2f, %3d x %2d, %.2f rad: error of the torque, tension field %.4f %%, without wrinkles %.4f %%\n",
           a.ratio, a.across, a.along, row.angle, 100.0 * error, 100.0 * full_error);
-    EXPECT_LT(std::abs(error), 0.001) << row.angle;
-    EXPECT_LT(std::abs(full_error), 0.001) << row.angle;
+    EXPECT_LT(std::abs(error), allowed) << row.angle;
+    EXPECT_LT(std::abs(full_error), allowed) << row.angle;
   }
   EXPECT_EQ(relaxed.run.reports.back().negative_pivots, 0);
 }
@@ -162,6 +169,7 @@ TEST_P(AnnulusTorsion, TorqueIsTheReferences) {
 // With ever smaller elements the torque converges with second order to the reference, wrinkled or not, although the
 // fabric's stiffness jumps where wrinkles end.
 TEST_P(AnnulusTorsion, TorqueConvergesWithSecondOrder) {
+  if (!on_one_rank()) GTEST_SKIP() << "measured on one rank";
   for (const bool relaxed : {true, false}) {
     const ReferenceRow row = reference(GetParam()).at(3);  // 0.3 rad
     double error[3];
@@ -183,6 +191,7 @@ TEST_P(AnnulusTorsion, TorqueConvergesWithSecondOrder) {
 
 // A tenth of the residual stiffness changes the torque by less than a tenth of a per mille.
 TEST_P(AnnulusTorsion, ResidualStiffnessHardlyChangesTheTorque) {
+  if (!on_one_rank()) GTEST_SKIP() << "measured on one rank";
   Annulus a = with_mesh(GetParam(), 1);
   a.angle = 0.1;
   const double torque = turn(a).torque(0.1);
@@ -222,6 +231,7 @@ TEST_P(AnnulusTorsion, WrinklesReachAsFarAsTheReferences) {
 // wrinkles lie on lines of one distance from the centre, up to the second order of the elements (in the same part of
 // the sheet for all meshes, an eighth of its width off the hub: nearer to it the tension rises ever more steeply).
 TEST_P(AnnulusTorsion, CrestsRunAlongStraightLines) {
+  if (!on_one_rank()) GTEST_SKIP() << "measured on one rank";
   const ReferenceRow row = reference(GetParam()).at(3);  // 0.3 rad
   double deviation[2];
   for (int level = 0; level < 2; ++level) {
@@ -243,6 +253,7 @@ TEST_P(AnnulusTorsion, CrestsRunAlongStraightLines) {
 // At small angles an annulus that wrinkles all over has Stein and Hedgepeth's torque, with straight crests at the
 // distance c that makes it largest: 4 pi c^2/ln[(a^2 - c^2)/(b^2 - c^2)] E t angle.
 TEST(AnnulusTorsionLimit, IsTheClosedFormOfSmallAngles) {
+  if (!on_one_rank()) GTEST_SKIP() << "measured on one rank";
   constexpr double largest = 8.586822593;  // of the closed form at a/b = 1.25, test/data/plane_stress
   const auto closed_form = [](double c) {
     return 4.0 * M_PI * c * c / std::log((1.25 * 1.25 - c * c) / (1.0 - c * c));

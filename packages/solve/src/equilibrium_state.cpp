@@ -217,7 +217,8 @@ double Equilibrium::moment_magnitudes(const ElementAssembly::Sums& sums, double 
   return total;
 }
 
-// Moment about the axis of the clamp that holds a director and turns: what is left of the moments along w, times dw/dangle.
+// Moment about the axis of the clamp that holds a director and turns: what is left of the moments along w, times
+// dw/dangle.
 double Equilibrium::torque_of_director(const ElementAssembly::Sums& sums, size_t node, double s) const {
   constexpr double h = 1e-5;  // rad
   const Turn& turn = *problem_.supports[layout_.turned_by[node]].turn;
