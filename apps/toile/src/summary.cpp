@@ -61,8 +61,8 @@ std::string torque_text(const solve::Support& support, double load, double torqu
   const solve::Vec3& axis = support.turn->axis;
   std::ostringstream out;
   out.precision(6);
-  out << ", turned by " << support.path.share(load) * support.turn->angle * 180.0 / M_PI << " deg with a torque of " << torque
-      << " N mm about (" << axis[0] << ", " << axis[1] << ", " << axis[2] << ")";
+  out << ", turned by " << support.path.share(load) * support.turn->angle * 180.0 / M_PI << " deg with a torque of "
+      << torque << " N mm about (" << axis[0] << ", " << axis[1] << ", " << axis[2] << ")";
   return out.str();
 }
 
