@@ -87,8 +87,8 @@ void residual_and_tangent(benchmark::State& state, const char* element_name, con
     for (int first = 0; first < count * element.points(); first += chunk) {
       for (int k = 0; k < 3 * chunk; ++k) soa[k % 3 * chunk + k / 3] = C[3 * first + k];
       const auto begin = Clock::now();
-      law.evaluate(chunk, soa.data(), params.data(), 0, W.data(), S.data(), D.data(), stretch.data(), nullptr,
-                   status.data());
+      law.evaluate(law.context, chunk, soa.data(), params.data(), 0, W.data(), S.data(), D.data(), stretch.data(),
+                   nullptr, status.data());
       material_time += layers * seconds_since(begin);
     }
     benchmark::DoNotOptimize(tangent.data());

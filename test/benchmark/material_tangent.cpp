@@ -52,7 +52,7 @@ void registered(benchmark::State& state, const char* name) {
   const MaterialV1& law = *find(name);
   Batch b;
   for (auto _ : state) {
-    law.evaluate(n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+    law.evaluate(law.context, n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
                  b.status.data());
     benchmark::ClobberMemory();
   }
@@ -74,7 +74,7 @@ void hand_written(Batch& b, const double* params) {
 /// The numbers that are compared are the same numbers: stops the benchmark if hand-written and registered differ.
 void require_agreement(const Batch& a, const MaterialV1& law) {
   Batch b;
-  law.evaluate(n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+  law.evaluate(law.context, n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
                b.status.data());
   double error = 0.0, scale = 0.0;
   for (int i = 0; i < 6 * n; ++i) {

@@ -9,8 +9,8 @@
 namespace toile::element::testing {
 namespace {
 
-int evaluate_neo_hookean(int n, const double* C, const double* params, int stride, double* W, double* S, double* D,
-                         double* thickness_stretch, double*, std::uint8_t* status) {
+int evaluate_neo_hookean(const void*, int n, const double* C, const double* params, int stride, double* W, double* S,
+                         double* D, double* thickness_stretch, double*, std::uint8_t* status) {
   int bad = 0;
   for (int k = 0; k < n; ++k) {
     const double c = params[stride * k], C11 = C[k], C22 = C[n + k], C12 = C[2 * n + k];

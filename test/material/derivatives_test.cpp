@@ -60,8 +60,8 @@ TEST(Derivatives, without_tangent) {
     for (const State& C : random_states(10, 0.75, 2.2, 3)) {
       const Point p = evaluate(*test.law, test.params, C);
       Point q;
-      test.law->evaluate(1, C.data(), test.params.data(), 0, &q.W, q.S.data(), nullptr, &q.thickness_stretch, nullptr,
-                         &q.status);
+      test.law->evaluate(test.law->context, 1, C.data(), test.params.data(), 0, &q.W, q.S.data(), nullptr,
+                         &q.thickness_stretch, nullptr, &q.status);
       EXPECT_NEAR(q.W, p.W, 1e-14 * (1.0 + std::abs(p.W)));
       for (int a = 0; a < 3; ++a) EXPECT_NEAR(q.S[a], p.S[a], 1e-13 * (1.0 + largest(p.S))) << test.name;
     }
@@ -76,8 +76,8 @@ TEST(Derivatives, stress_by_parameters) {
       const int n = test.law->n_params;
       std::vector<double> dSdp(3 * n);
       Point p;
-      test.law->evaluate(1, C.data(), test.params.data(), 0, &p.W, p.S.data(), nullptr, &p.thickness_stretch,
-                         dSdp.data(), &p.status);
+      test.law->evaluate(test.law->context, 1, C.data(), test.params.data(), 0, &p.W, p.S.data(), nullptr,
+                         &p.thickness_stretch, dSdp.data(), &p.status);
       for (int k = 0; k < n; ++k) {
         const bool is_choice = test.law->info[k].choices != nullptr;
         const double h = is_choice ? 0.0 : 1e-5 * std::max(std::abs(test.params[k]), 1e-3);

@@ -32,8 +32,8 @@ using State = std::array<double, 3>;  ///< C11, C22, C12
 
 inline Point evaluate(const MaterialV1& law, const std::vector<double>& params, const State& C) {
   Point p;
-  p.bad = law.evaluate(1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch, nullptr,
-                       &p.status);
+  p.bad = law.evaluate(law.context, 1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch,
+                       nullptr, &p.status);
   return p;
 }
 
@@ -86,7 +86,7 @@ inline std::vector<Case> cases() {
     for (int i = 0; i < material->n_sets; ++i) {
       std::array<char, 512> message;
       std::vector<double> params = values(material->name, material->sets[i].name);
-      if (material->check(params.data(), message.data(), 512) != 0) continue;
+      if (material->check(material->context, params.data(), message.data(), 512) != 0) continue;
       all.push_back({std::string(material->name) + " " + material->sets[i].name, material, params});
     }
   const MaterialV1& rebar = law("rebar");

@@ -5,7 +5,7 @@ namespace {
 
 std::string message_of(const std::vector<double>& params, int* code = nullptr) {
   std::array<char, 1024> message = {};
-  const int result = law("itskov").check(params.data(), message.data(), 1024);
+  const int result = law("itskov").check(nullptr, params.data(), message.data(), 1024);
   if (code) *code = result;
   return message.data();
 }

@@ -41,8 +41,8 @@ TEST(Law, check_without_own_conditions) {
   static constexpr MaterialV1 disguised = make_law<Disguised>();
   std::array<char, 128> message = {};
   const double good[] = {1.0, 3.0}, bad[] = {1.0, 4.0};
-  EXPECT_EQ(disguised.check(good, message.data(), 128), 0);
-  EXPECT_EQ(disguised.check(bad, message.data(), 128), 2);
+  EXPECT_EQ(disguised.check(nullptr, good, message.data(), 128), 0);
+  EXPECT_EQ(disguised.check(nullptr, bad, message.data(), 128), 2);
   EXPECT_STREQ(message.data(), "4 is out of range: allowed is >= 0 and <= 3");
 }
 

@@ -87,7 +87,8 @@ TEST(States, not_admissible) {
       double W[3], S[9], D[18], h[3];
       std::vector<double> dSdp(9 * test.law->n_params);
       std::uint8_t status[3];
-      EXPECT_EQ(test.law->evaluate(3, batch, test.params.data(), 0, W, S, D, h, dSdp.data(), status), 1);
+      EXPECT_EQ(test.law->evaluate(test.law->context, 3, batch, test.params.data(), 0, W, S, D, h, dSdp.data(), status),
+                1);
       EXPECT_EQ(status[1], point_not_admissible);
       EXPECT_TRUE(std::isnan(W[1]) && std::isnan(h[1]) && std::isnan(S[1]) && std::isnan(S[4]) && std::isnan(S[7]));
       for (int k = 0; k < 6; ++k) EXPECT_TRUE(std::isnan(D[3 * k + 1]));
@@ -125,8 +126,8 @@ TEST(States, batch_is_point_by_point) {
           params[k * n + i] = test.params[k] * (test.law->info[k].choices ? 1.0 : 1.0 - 1e-3 * i);
       }
       for (int stride : {0, 1}) {
-        test.law->evaluate(n, C.data(), stride ? params.data() : test.params.data(), stride, W.data(), S.data(),
-                           D.data(), h.data(), nullptr, status.data());
+        test.law->evaluate(test.law->context, n, C.data(), stride ? params.data() : test.params.data(), stride,
+                           W.data(), S.data(), D.data(), h.data(), nullptr, status.data());
         for (int i = 0; i < n; ++i) {
           std::vector<double> own = test.params;
           for (int k = 0; k < m && stride; ++k) own[k] = params[k * n + i];

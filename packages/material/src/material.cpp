@@ -20,7 +20,8 @@ struct Objection {
 
 std::optional<Objection> objection(const MaterialV1& law, const std::vector<double>& params) {
   std::array<char, 1024> message = {};
-  const int code = law.check ? law.check(params.data(), message.data(), static_cast<int>(message.size())) : 0;
+  const int code =
+      law.check ? law.check(law.context, params.data(), message.data(), static_cast<int>(message.size())) : 0;
   if (code == 0) return std::nullopt;
   return Objection{code - 1, message.data()};
 }

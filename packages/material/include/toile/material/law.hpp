@@ -184,8 +184,8 @@ struct Thickness<Law, std::void_t<decltype(&Law::template thickness_stretch<Lane
 
 /// MaterialV1::evaluate of `Law`.
 template <class Law>
-int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
-             double* thickness_stretch, double* dSdp, std::uint8_t* status) {
+int evaluate(const void*, int n, const double* C, const double* params, int param_stride, double* W, double* S,
+             double* D, double* thickness_stretch, double* dSdp, std::uint8_t* status) {
   constexpr std::size_t n_params = Law::info.size();
   std::array<Lane, n_params> values;
   if (param_stride == 0) std::copy(params, params + n_params, values.begin());
@@ -223,7 +223,7 @@ struct Check<Law, std::void_t<decltype(&Law::check)>> {
 
 /// MaterialV1::check of `Law`: the range of each parameter, then the law's own conditions.
 template <class Law>
-int check(const double* params, char* message, int length) {
+int check(const void*, const double* params, char* message, int length) {
   for (std::size_t k = 0; k < Law::info.size(); ++k) {
     const ParamInfo& info = Law::info[k];
     const bool above = info.lower_open ? params[k] > info.lower : params[k] >= info.lower;

@@ -57,11 +57,13 @@ struct MaterialV1 {
   /// Conditions between parameters (for instance "weights sum to at most 1"); writes a message into `message`
   /// (at most `length` characters) and returns 1 + the index of the offending parameter if `params` [n_params] violates
   /// one (or a parameter is outside its range), else 0. May be null.
-  int (*check)(const double* params, char* message, int length);
-  int (*evaluate)(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
-                  double* thickness_stretch, double* dSdp, std::uint8_t* status);
+  int (*check)(const void* context, const double* params, char* message, int length);
+  int (*evaluate)(const void* context, int n, const double* C, const double* params, int param_stride, double* W,
+                  double* S, double* D, double* thickness_stretch, double* dSdp, std::uint8_t* status);
   int n_sets = 0;
   const ParamSet* sets = nullptr;  ///< [n_sets]; the scene's "set" picks one, values that it gives override
+  /// What the law's author wants to see again: first argument of its functions. Null for a law that is compiled in.
+  const void* context = nullptr;
 };
 
 inline constexpr int material_abi = 1;

@@ -47,7 +47,7 @@ class PlainResponse final : public Response {
   int n_params() const override { return law_->n_params; }
   int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
                double* thickness_stretch, std::uint8_t* status) const override {
-    return law_->evaluate(n, C, params, param_stride, W, S, D, thickness_stretch, nullptr, status);
+    return law_->evaluate(law_->context, n, C, params, param_stride, W, S, D, thickness_stretch, nullptr, status);
   }
   double natural_shear_modulus(const double* params) const override;
 
