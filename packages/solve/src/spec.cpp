@@ -175,7 +175,7 @@ Spec supports_spec() {
 namespace {
 
 MotionPath read_path(const List& support) {
-  const MotionPath path{support.reals("loads"), support.reals("shares")};
+  MotionPath path{support.reals("loads"), support.reals("shares")};
   if (path.loads.size() != path.shares.size())
     support.fail("shares", "found " + std::to_string(path.shares.size()) + " values, but \"loads\" has " +
                                std::to_string(path.loads.size()) + "; there must be one share for each load");
