@@ -83,8 +83,8 @@ TEST_P(RelaxedShell, LayerTurnedInsideOutIsNotAdmissible) {
   const PlaneMesh mesh = square_mesh(1, 10.0, 0.0, GetParam()->nodes());
   Arrays flat = flat_shells(mesh, *GetParam(), slack_fibres("itskov"), 0.0);
   for (std::size_t k = 0; k < mesh.connectivity.size(); ++k)
-    flat.x[5 * k + 3] = mesh.nodes[mesh.connectivity[k]][0] > 5.0 ? 1.5 : -1.5;
-  const double slope = 2.0 * std::sin(1.5) / 10.0;  // p_1 = 1 + z d_1, with d_1 = slope at the outer layers' z
+    flat.x[5 * k + 3] = mesh.nodes[mesh.connectivity[k]][0] > 5.0 ? 0.5 : -0.5;
+  const double slope = 1.0 / 10.0;  // p_1 = 1 + z d_1, with d_1 = slope at the outer layers' z
   flat.thickness = 1.8 / (std::sqrt(0.6) * slope);
   EXPECT_THAT(evaluate(flat).status, ::testing::Each(material::point_ok));
   flat.thickness = 2.2 / (std::sqrt(0.6) * slope);

@@ -78,12 +78,12 @@ TEST(TurningSupport, AxisWithoutATurnIsRefused) {
                                             "turns: give \"turn by\" as well, or leave this out"));
 }
 
-// A plane of symmetry does not turn.
+// A plane of symmetry does not turn, nor does a diaphragm.
 TEST(TurningSupport, SymmetryIsRefused) {
   ParameterList scene = turning_scene();
   hub(scene).set("director", std::string("symmetry"));
   EXPECT_THAT(input_error(scene), HasSubstr("scene > Supports > hub: parameter \"director\" = \"symmetry\": a plane of "
-                                            "symmetry does not turn"));
+                                            "symmetry or a diaphragm does not turn"));
 }
 
 // Two supports that take one node along different paths contradict each other, even if the paths end at the same place;

@@ -21,6 +21,11 @@ double Profile::amplitude() const {
   return largest;
 }
 
+double Profile::root_mean_square() const {
+  const double squares = std::inner_product(height.begin(), height.end(), height.begin(), 0.0);
+  return std::sqrt(squares / static_cast<double>(height.size()));
+}
+
 std::vector<double> Profile::zeros() const {
   std::vector<double> found;
   for (size_t k = 0; k + 1 < at.size(); ++k)

@@ -21,7 +21,8 @@ struct Profile {
   std::vector<double> at;      ///< mm, ascending
   std::vector<double> height;  ///< mm
 
-  double amplitude() const;  ///< largest |height|, mm
+  double amplitude() const;         ///< largest |height|, mm
+  double root_mean_square() const;  ///< of the heights, mm; it does not depend on where the crests lie
   /// Where the height changes its sign, by linear interpolation, mm.
   std::vector<double> zeros() const;
 };

@@ -69,7 +69,7 @@ void read_turn(const List& entry, Support& support) {
 }
 
 MotionPath read_path(const List& support) {
-  const MotionPath path{support.reals("loads"), support.reals("shares")};
+  MotionPath path{support.reals("loads"), support.reals("shares")};
   if (path.loads.size() != path.shares.size())
     support.fail("shares", "found " + std::to_string(path.shares.size()) + " values, but \"loads\" has " +
                                std::to_string(path.loads.size()) + "; there must be one share for each load");
