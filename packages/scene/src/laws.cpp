@@ -1,3 +1,4 @@
+#include "toile/material/formula.hpp"
 #include "toile/material/plugin_files.hpp"
 #include "toile/scene/scene.hpp"
 
@@ -8,6 +9,8 @@ material::Laws read_laws(const std::string& file, bool allow_plugins) {
   const std::string root = scene_spec().name();
   if (const auto plugins = base::read_part(file, root, material::plugins_spec()))
     material::add_plugins(*plugins, allow_plugins, laws);
+  if (const auto formulas = base::read_part(file, root, material::formulas_spec()))
+    material::add_formulas(*formulas, laws);
   return laws;
 }
 

@@ -5,6 +5,7 @@
 #include "toile/body/body.hpp"
 #include "toile/garment/panel.hpp"
 #include "toile/garment/seam.hpp"
+#include "toile/material/formula.hpp"
 #include "toile/material/material.hpp"
 #include "toile/material/plugin_files.hpp"
 #include "toile/scene/scene.hpp"
@@ -80,6 +81,7 @@ Spec scene_spec(const material::Laws& laws) {
       .add(base::include_parameter())
       .list(body::body_spec())
       .list(material::plugins_spec())
+      .list(material::formulas_spec())
       .list(materials_spec(laws), true)
       .list(garment::panels_spec(), true)
       .list(garment::seams_spec())
