@@ -1,6 +1,6 @@
 // Fibre-reinforced membrane of Holzapfel, Gasser & Ogden (J. Elasticity 61, 1-48, 2000, eqs. 63-67; dispersion after
-// Gasser, Ogden & Holzapfel, J. R. Soc. Interface 3, 15-35, 2006): an incompressible neo-Hookean matrix and two families
-// of fibres at the angles +theta and -theta to the wale,
+// Gasser, Ogden & Holzapfel, J. R. Soc. Interface 3, 15-35, 2006): an incompressible neo-Hookean matrix and two
+// families of fibres at the angles +theta and -theta to the wale,
 //   W = c/2 (I1 - 3) + k1/(2 k2) sum_i [exp(k2 E_i^2) - 1],   E_i = kappa (I1 - 3) + (1 - 3 kappa) (I_i - 1),
 //   I_i = C11 cos^2 theta + C22 sin^2 theta +- 2 C12 sin theta cos theta   (squared stretch of the fibre).
 // A family counts only where E_i > 0: fibres carry tension only.

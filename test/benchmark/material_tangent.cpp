@@ -14,9 +14,9 @@
 
 #include "material_hand_written.hpp"
 
-// Energy, stress and tangent of a batch of 256 points: the registered material, the same as a formula, hand-written code, plain nested Fad,
-// and the nested Fad with our power() and log() on one number at a time. Ends with status 1 if a registered material
-// costs more than three times its hand-written twin.
+// Energy, stress and tangent of a batch of 256 points: the registered material, the same as a formula, hand-written
+// code, plain nested Fad, and the nested Fad with our power() and log() on one number at a time. Ends with status 1 if
+// a registered material costs more than three times its hand-written twin.
 namespace {
 
 using namespace toile::material;

@@ -91,7 +91,8 @@ TEST(Formula, graduated) {
 TEST(Formula, derivatives_of_all_functions) {
   const std::string energy =
       "a = -(k - 3)^2 + +mu; q = if(C11 > 1.2, l1 - 0.3, l2^1.5); b = min(l1, 1.1)*max(E22, 0.05);"
-      "mu*exp(0.1*q) + k*sin(E11)*cos(E12) + sqrt(J)*ln(I2) + 2^k/C33 + a/I1 + log(l1/mu)^3 + b^4/(1 + E12^2) + C22*C12";
+      "mu*exp(0.1*q) + k*sin(E11)*cos(E12) + sqrt(J)*ln(I2) + 2^k/C33 + a/I1 + log(l1/mu)^3 + b^4/(1 + E12^2) + "
+      "C22*C12";
   const Laws::Law formula = make_formula_law("all", "", energy, {number("mu"), number("k")});
   const Case test = {"all", formula.get(), {1.3, 0.7}};
   for (const State& C : random_states(60, 0.75, 1.6, 9)) {

@@ -34,8 +34,8 @@ inline Laws::Law formula_like(const char* like, int count, const std::string& en
   const MaterialV1& law = *find(like);
   std::vector<FormulaParameter> parameters;
   for (int k = 0; k < count; ++k)
-    parameters.push_back({law.info[k].name, law.info[k].unit, law.info[k].text, law.info[k].fallback,
-                          law.info[k].lower, law.info[k].upper});
+    parameters.push_back({law.info[k].name, law.info[k].unit, law.info[k].text, law.info[k].fallback, law.info[k].lower,
+                          law.info[k].upper});
   return make_formula_law(std::string(like) + " as a formula", "", energy, std::move(parameters));
 }
 

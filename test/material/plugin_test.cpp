@@ -23,7 +23,8 @@ std::string fabric(const std::string& name, const std::string& line) {
          "  static constexpr const char *name = \"" +
          name +
          "\", *text = \"A test.\";\n"
-         "  static constexpr std::array<ParamInfo, 1> info = {{{\"C10\", \"MPa\", \"Modulus.\", 1.0, 0.0, infinity, 1}}};\n"
+         "  static constexpr std::array<ParamInfo, 1> info = {{{\"C10\", \"MPa\", \"Modulus.\", 1.0, 0.0, infinity, "
+         "1}}};\n"
          "  template <class T, class P> static T energy(const PlaneC<T>& c, const Params<P>& p) {\n"
          "    " +
          line +
@@ -133,10 +134,11 @@ TEST(PlugIn, other_version) {
     return input_error([&] { load_plugin(library); });
   };
   const std::string abi = std::to_string(material_abi), width = std::to_string(lanes);
-  EXPECT_THAT(stamped("old", abi + ", " + width + ", \"0.0.1-abc\", __VERSION__"),
-              AllOf(HasSubstr("old.so: this plug-in was built for another Toile; its version is 0.0.1-abc, that of this "
-                              "Toile is "),
-                    HasSubstr("Build it again with toile material build"), Not(HasSubstr("lanes"))));
+  EXPECT_THAT(
+      stamped("old", abi + ", " + width + ", \"0.0.1-abc\", __VERSION__"),
+      AllOf(HasSubstr("old.so: this plug-in was built for another Toile; its version is 0.0.1-abc, that of this "
+                      "Toile is "),
+            HasSubstr("Build it again with toile material build"), Not(HasSubstr("lanes"))));
   EXPECT_THAT(stamped("abi", "2, " + width + ", TOILE_MATERIAL_VERSION, __VERSION__"),
               HasSubstr("; its interface is 2, that of this Toile is 1. Build"));
   EXPECT_THAT(stamped("lanes", abi + ", 16, TOILE_MATERIAL_VERSION, __VERSION__"),
@@ -149,9 +151,10 @@ TEST(PlugIn, other_version) {
 TEST(PlugIns, only_if_allowed) {
   Laws laws;
   const base::List list = plugins_list("mine", "mine.so", "/somewhere/scene.xml");
-  EXPECT_EQ(input_error([&] { add_plugins(list, false, laws); }),
-            "/somewhere/scene.xml: Plug-ins > mine: parameter \"file\" = \"mine.so\": the scene wants to run the program "
-            "in /somewhere/mine.so. If you trust it, allow that with the option --allow-plugins");
+  EXPECT_EQ(
+      input_error([&] { add_plugins(list, false, laws); }),
+      "/somewhere/scene.xml: Plug-ins > mine: parameter \"file\" = \"mine.so\": the scene wants to run the program "
+      "in /somewhere/mine.so. If you trust it, allow that with the option --allow-plugins");
   EXPECT_EQ(laws.all().size(), registry().size());
 }
 
@@ -176,13 +179,11 @@ TEST(PlugIns, name_clash) {
   const Folder folder;
   build(folder, "copy", fabric("neo-hookean", good_line));
   Laws laws;
-  EXPECT_THAT(input_error([&] {
-                add_plugins(plugins_list("neo-hookean", "copy.so", folder.file("scene.xml")), true, laws);
-              }),
-              HasSubstr("\"file\" = \"copy.so\": there is a law named \"neo-hookean\" already"));
   EXPECT_THAT(
-      input_error([&] { add_plugins(plugins_list("other", "copy.so", folder.file("scene.xml")), true, laws); }),
-      HasSubstr("the law in this plug-in is named \"neo-hookean\"; name the list so"));
+      input_error([&] { add_plugins(plugins_list("neo-hookean", "copy.so", folder.file("scene.xml")), true, laws); }),
+      HasSubstr("\"file\" = \"copy.so\": there is a law named \"neo-hookean\" already"));
+  EXPECT_THAT(input_error([&] { add_plugins(plugins_list("other", "copy.so", folder.file("scene.xml")), true, laws); }),
+              HasSubstr("the law in this plug-in is named \"neo-hookean\"; name the list so"));
 }
 
 // A fabric that is not stress-free where it is not deformed is refused, with its stress.

@@ -20,7 +20,8 @@ constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
     "is on disk), 4 a check of the scene did not hold.";
 
-constexpr const char* allow_text = "Load the plug-ins that the scene names; they are programs that run with your rights";
+constexpr const char* allow_text =
+    "Load the plug-ins that the scene names; they are programs that run with your rights";
 
 int report(const std::string& message, ExitCode code) {
   if (Tpetra::getDefaultComm()->getRank() == 0) std::cerr << "toile: " << message << std::endl;

@@ -10,8 +10,7 @@ namespace toile::app {
 
 int build_material(const std::string& source, const std::string& output, bool verbose) {
   if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
-  const std::string library =
-      output.empty() ? std::filesystem::path(source).replace_extension(".so").string() : output;
+  const std::string library = output.empty() ? std::filesystem::path(source).replace_extension(".so").string() : output;
   const material::PlugInBuild build = material::build_plugin(source, library, verbose);
   if (verbose) std::cout << build.command << "\n";
   if (!build.good) throw base::InputError(source + " does not compile:\n" + build.messages);

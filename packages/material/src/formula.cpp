@@ -140,8 +140,8 @@ Laws::Law make_formula_law(const std::string& name, const std::string& text, con
   } catch (const formula::Problem& problem) {
     throw base::InputError(explain(problem, energy));
   }
-  law->law = {material_abi,     law->name.c_str(), law->text.c_str(), static_cast<int>(names.size()),
-              law->info.data(), &check,            &evaluate};
+  law->law = {material_abi, law->name.c_str(), law->text.c_str(), static_cast<int>(names.size()), law->info.data(),
+              &check,       &evaluate};
   law->law.context = law.get();
   return {law, &law->law};
 }
@@ -179,7 +179,8 @@ void add_formulas(const base::List& list, Laws& laws) {
     } catch (const base::InputError& error) {
       entry.fail("energy", error.what());
     }
-    if (!laws.add(law)) entry.fail("energy", "there is a law named \"" + entry.name() + "\" already; choose another name");
+    if (!laws.add(law))
+      entry.fail("energy", "there is a law named \"" + entry.name() + "\" already; choose another name");
   }
 }
 

@@ -20,9 +20,9 @@ struct Function {
 /// max, min and if are select with operands of their own.
 const std::map<std::string, Function>& functions() {
   static const std::map<std::string, Function> all = {
-      {"ln", {Op::log, 1}},     {"log", {Op::log, 1}},    {"exp", {Op::exp, 1}},    {"sqrt", {Op::sqrt, 1}},
-      {"sin", {Op::sin, 1}},    {"cos", {Op::cos, 1}},    {"max", {Op::select, 2}}, {"min", {Op::select, 2}},
-      {"if", {Op::select, 3}}};
+      {"ln", {Op::log, 1}},     {"log", {Op::log, 1}},    {"exp", {Op::exp, 1}},
+      {"sqrt", {Op::sqrt, 1}},  {"sin", {Op::sin, 1}},    {"cos", {Op::cos, 1}},
+      {"max", {Op::select, 2}}, {"min", {Op::select, 2}}, {"if", {Op::select, 3}}};
   return all;
 }
 
@@ -44,7 +44,7 @@ class Translator {
     program_.uniform_slots = numbers_from_ + static_cast<int>(program_.numbers.size());
     program_.field_slots = static_cast<int>(program_.used.size());
     for (const auto& child : formula.children) {
-      if (child->is_type<grammar::definition>()) {
+      if (child->is_type<grammar::Definition>()) {
         define(*child);
       } else {
         program_.energy = value(*child);
@@ -57,11 +57,11 @@ class Translator {
  private:
   /// Numbers and variables get the slots before all results.
   void collect(const Node& node) {
-    if (node.is_type<grammar::number>()) {
+    if (node.is_type<grammar::Number>()) {
       const double number = number_of(node);
       if (number_slots_.try_emplace(number, numbers_from_ + static_cast<int>(program_.numbers.size())).second)
         program_.numbers.push_back(number);
-    } else if (node.is_type<grammar::name>() && names_.count(node.string()) == 0) {
+    } else if (node.is_type<grammar::Name>() && names_.count(node.string()) == 0) {
       for (std::size_t v = 0; v < variables().size(); ++v)
         if (node.string() == variables()[v].name) {
           names_[node.string()] = {true, static_cast<int>(program_.used.size())};
@@ -83,12 +83,12 @@ class Translator {
   }
 
   Slot value(const Node& node) {
-    if (node.is_type<grammar::number>()) return {false, number_slots_.at(number_of(node))};
-    if (node.is_type<grammar::name>()) return named(node);
-    if (node.is_type<grammar::negative>()) return emit(Op::negate, value(*node.children[0]));
-    if (node.is_type<grammar::power>()) return raised(node);
-    if (node.is_type<grammar::call>()) return called(node);
-    if (node.is_type<grammar::argument>())
+    if (node.is_type<grammar::Number>()) return {false, number_slots_.at(number_of(node))};
+    if (node.is_type<grammar::Name>()) return named(node);
+    if (node.is_type<grammar::Negative>()) return emit(Op::negate, value(*node.children[0]));
+    if (node.is_type<grammar::Power>()) return raised(node);
+    if (node.is_type<grammar::Call>()) return called(node);
+    if (node.is_type<grammar::Argument>())
       throw Problem(node.children[1]->begin().byte, "a comparison stands only first in if(a < b, then, else)");
     return chained(node);  // sum or product: operands and operators in turn
   }
@@ -118,7 +118,7 @@ class Translator {
   Slot raised(const Node& node) {
     const Slot a = value(*node.children[0]);
     const Node& exponent = *node.children[1];
-    if (exponent.is_type<grammar::number>()) {
+    if (exponent.is_type<grammar::Number>()) {
       const double n = number_of(exponent);
       if (n == std::floor(n) && n >= 1.0 && n <= 16.0) return whole_power(a, static_cast<int>(n));
     }
@@ -155,7 +155,7 @@ class Translator {
   }
 
   Slot chosen(const Node& condition, Slot yes, Slot no) {
-    if (!condition.is_type<grammar::argument>())
+    if (!condition.is_type<grammar::Argument>())
       throw Problem(condition.begin().byte, "expected a comparison, as in if(a < b, then, else)");
     const Slot a = value(*condition.children[0]), b = value(*condition.children[2]);
     return condition.children[1]->string_view() == "<" ? select(a, b, yes, no) : select(b, a, yes, no);
@@ -170,8 +170,7 @@ class Translator {
   }
 
   Slot emit(Op op, Slot a, Slot b = {}, Slot c = {}, Slot d = {}) {
-    if (a.field || b.field)
-      return push(program_.field, {op, {true, program_.field_slots++}, a, b, c, d});
+    if (a.field || b.field) return push(program_.field, {op, {true, program_.field_slots++}, a, b, c, d});
     return push(program_.uniform, {op, {false, program_.uniform_slots++}, a, b, c, d});
   }
 
@@ -243,8 +242,8 @@ const std::vector<VariableInfo>& variables() {
 Program translate(const std::string& text, const std::vector<std::string>& parameters) {
   tao::pegtl::memory_input in(text, "");
   try {
-    const auto root = tao::pegtl::parse_tree::parse<grammar::formula, grammar::Selector, tao::pegtl::nothing,
-                                                    grammar::Control>(in);
+    const auto root =
+        tao::pegtl::parse_tree::parse<grammar::Formula, grammar::Selector, tao::pegtl::nothing, grammar::Control>(in);
     Program program = Translator(parameters).run(*root->children.front());
     reuse_slots(program);
     return program;

@@ -35,8 +35,8 @@ const std::vector<VariableInfo>& variables();
 
 struct Program {
   int n_params = 0;
-  std::vector<double> numbers;          ///< P slots: parameters, numbers, then results
-  std::vector<Variable> used;           ///< T slots: these variables, then results
+  std::vector<double> numbers;  ///< P slots: parameters, numbers, then results
+  std::vector<Variable> used;   ///< T slots: these variables, then results
   std::vector<Instruction> uniform, field;
   int uniform_slots = 0, field_slots = 0;
   Slot energy;
@@ -54,18 +54,30 @@ Program translate(const std::string& text, const std::vector<std::string>& param
 template <class T>
 T value_of(Variable variable, const PlaneC<T>& c) {
   switch (variable) {
-    case Variable::C11: return c.C11;
-    case Variable::C22: return c.C22;
-    case Variable::C12: return c.C12;
-    case Variable::C33: return c.C33;
-    case Variable::I1: return c.C11 + c.C22 + c.C33;
-    case Variable::I2: return c.cof11() + c.cof22() + c.cof33();
-    case Variable::J: return sqrt(c.det);
-    case Variable::l1: return sqrt(c.C11);
-    case Variable::l2: return sqrt(c.C22);
-    case Variable::E11: return 0.5 * (c.C11 - 1.0);
-    case Variable::E22: return 0.5 * (c.C22 - 1.0);
-    default: return 0.5 * c.C12;
+    case Variable::C11:
+      return c.C11;
+    case Variable::C22:
+      return c.C22;
+    case Variable::C12:
+      return c.C12;
+    case Variable::C33:
+      return c.C33;
+    case Variable::I1:
+      return c.C11 + c.C22 + c.C33;
+    case Variable::I2:
+      return c.cof11() + c.cof22() + c.cof33();
+    case Variable::J:
+      return sqrt(c.det);
+    case Variable::l1:
+      return sqrt(c.C11);
+    case Variable::l2:
+      return sqrt(c.C22);
+    case Variable::E11:
+      return 0.5 * (c.C11 - 1.0);
+    case Variable::E22:
+      return 0.5 * (c.C22 - 1.0);
+    default:
+      return 0.5 * c.C12;
   }
 }
 
@@ -73,10 +85,18 @@ T value_of(Variable variable, const PlaneC<T>& c) {
 template <class R, class A, class B>
 void arithmetic(Op op, R& r, const A& a, const B& b) {
   switch (op) {
-    case Op::add: r = a + b; return;
-    case Op::subtract: r = a - b; return;
-    case Op::multiply: r = a * b; return;
-    default: r = a / b; return;
+    case Op::add:
+      r = a + b;
+      return;
+    case Op::subtract:
+      r = a - b;
+      return;
+    case Op::multiply:
+      r = a * b;
+      return;
+    default:
+      r = a / b;
+      return;
   }
 }
 
@@ -84,13 +104,27 @@ void arithmetic(Op op, R& r, const A& a, const B& b) {
 template <class R>
 void function(Op op, R& r, const R& a) {
   switch (op) {
-    case Op::negate: r = -a; return;
-    case Op::log: r = log(a); return;
-    case Op::exp: r = exp(a); return;
-    case Op::sqrt: r = sqrt(a); return;
-    case Op::sin: r = sin(a); return;
-    case Op::cos: r = cos(a); return;
-    default: r = a; return;
+    case Op::negate:
+      r = -a;
+      return;
+    case Op::log:
+      r = log(a);
+      return;
+    case Op::exp:
+      r = exp(a);
+      return;
+    case Op::sqrt:
+      r = sqrt(a);
+      return;
+    case Op::sin:
+      r = sin(a);
+      return;
+    case Op::cos:
+      r = cos(a);
+      return;
+    default:
+      r = a;
+      return;
   }
 }
 

@@ -52,8 +52,8 @@ double given_value(const ParamInfo& info, const base::List& list) {
   throw base::InputError(text);
 }
 
-/// What speaks against the natural state C = 1 of `law`: energy or stress above rounding (1e-9 of the tangent). Empty if
-/// there is nothing.
+/// What speaks against the natural state C = 1 of `law`: energy or stress above rounding (1e-9 of the tangent). Empty
+/// if there is nothing.
 std::string natural_objection(const MaterialV1& law, const std::vector<double>& params) {
   constexpr std::array<double, 3> natural = {1.0, 1.0, 0.0};
   std::array<double, 3> S = {};
@@ -153,7 +153,11 @@ Material::Material(const base::List& list, const Laws& laws)
 
 Material::Material(const MaterialV1& law, std::vector<double> params, double thickness,
                    std::shared_ptr<const Response> response)
-    : law_(&law, [](const MaterialV1*) {}), name_(law.name), thickness_(thickness), params_(std::move(params)), response_(std::move(response)) {
+    : law_(&law, [](const MaterialV1*) {}),
+      name_(law.name),
+      thickness_(thickness),
+      params_(std::move(params)),
+      response_(std::move(response)) {
   if (!response_) response_ = std::make_shared<PlainResponse>(law);
   if (static_cast<int>(params_.size()) != law.n_params)
     throw base::InputError("Material \"" + name_ + "\" has " + std::to_string(law.n_params) + " parameters, not " +

@@ -93,8 +93,8 @@ void shorten_types(std::string& line) {
   shorten(line, "Sacado::Fad::Exp::GeneralFad", "T");
 }
 
-/// The errors alone, each place once, with the lines of code that the compiler shows. Where one lies in a header, the place in the
-/// author's file that led to it goes before it, and the header's name is dropped.
+/// The errors alone, each place once, with the lines of code that the compiler shows. Where one lies in a header, the
+/// place in the author's file that led to it goes before it, and the header's name is dropped.
 std::string first_errors(const std::string& said, const std::string& source) {
   std::istringstream lines(said);
   std::string text, place;

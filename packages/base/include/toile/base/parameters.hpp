@@ -145,8 +145,8 @@ class List {
 /// Where a variant's selector is missing or wrong, names that are valid in one of its variants are not complained of.
 List read_xml(const std::string& file, const Spec& spec);
 
-/// One list of such a file alone, for what must be known before the description of the rest can be made. `root`: name of
-/// the outermost list; `part`: description of a list with a fixed name in it; nothing else in the file is validated.
+/// One list of such a file alone, for what must be known before the description of the rest can be made. `root`: name
+/// of the outermost list; `part`: description of a list with a fixed name in it; nothing else in the file is validated.
 /// Empty if the file does not have that list.
 std::optional<List> read_part(const std::string& file, const std::string& root, const Spec& part);
 

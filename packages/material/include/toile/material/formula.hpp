@@ -25,7 +25,8 @@ Laws::Law make_formula_law(const std::string& name, const std::string& text, con
 /// Description of the list "Formulas": entry name = law name, "energy", "text", list "Parameters".
 base::Spec formulas_spec();
 
-/// Adds the laws of the list "Formulas" to `laws`. Throws InputError: what make_formula_law() says, a name that is taken.
+/// Adds the laws of the list "Formulas" to `laws`. Throws InputError: what make_formula_law() says, a name that is
+/// taken.
 void add_formulas(const base::List& list, Laws& laws);
 
 }  // namespace toile::material

@@ -16,8 +16,8 @@
 ///   template <class T, class P> static T thickness_stretch(const PlaneC<T>& c, const Params<P>& p);   h/h0, if the
 /// material is not incompressible.
 /// `energy` is written once, without `if` on a T (use where()) and with power(), log(), exp(), sqrt(), reciprocal(),
-/// sin(), cos() of variables (not of expressions); keep intermediate results in variables of type T or P, never in `auto`.
-/// make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
+/// sin(), cos() of variables (not of expressions); keep intermediate results in variables of type T or P, never in
+/// `auto`. make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
 namespace toile::material {
 
 /// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:

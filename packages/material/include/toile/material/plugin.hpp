@@ -23,7 +23,7 @@ struct PlugIn {
 }  // namespace toile::material
 
 /// The build command defines TOILE_MATERIAL_VERSION.
-#define TOILE_MATERIAL(Law)                                                                          \
-  extern "C" __attribute__((visibility("default"))) const ::toile::material::PlugIn toile_material = \
-      {{::toile::material::material_abi, ::toile::material::lanes, TOILE_MATERIAL_VERSION, __VERSION__}, \
-       ::toile::material::make_law<Law>()};
+#define TOILE_MATERIAL(Law)                                                                             \
+  extern "C" __attribute__((visibility("default"))) const ::toile::material::PlugIn toile_material = {  \
+      {::toile::material::material_abi, ::toile::material::lanes, TOILE_MATERIAL_VERSION, __VERSION__}, \
+      ::toile::material::make_law<Law>()};
