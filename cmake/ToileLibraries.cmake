@@ -24,6 +24,9 @@ toile_library(nox INCLUDE ${Trilinos_INCLUDE_DIRS}
 find_path(EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
 toile_library(eigen INCLUDE ${EIGEN_INCLUDE})
 
+find_path(PEGTL_INCLUDE tao/pegtl.hpp REQUIRED)
+toile_library(pegtl INCLUDE ${PEGTL_INCLUDE})
+
 find_path(METIS_INCLUDE metis.h REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 toile_library(metis INCLUDE ${METIS_INCLUDE} LINK ${METIS_LIBRARY})

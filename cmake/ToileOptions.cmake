@@ -23,14 +23,18 @@ target_compile_options(toile_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
 if(TOILE_WARNINGS_AS_ERRORS)
   target_compile_options(toile_options INTERFACE -Werror)
 endif()
+# Options that the code depends on: plug-ins are compiled with them too.
+set(TOILE_CODE_OPTIONS "")
 if(TOILE_NATIVE)
   # The ABI of Eigen types depends on the vector width: one setting for every target.
-  target_compile_options(toile_options INTERFACE -march=native)
+  list(APPEND TOILE_CODE_OPTIONS -march=native)
 endif()
 if(TOILE_SANITIZERS)
-  target_compile_options(toile_options INTERFACE -Wno-uninitialized -fsanitize=${TOILE_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  list(APPEND TOILE_CODE_OPTIONS -fsanitize=${TOILE_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(toile_options INTERFACE -Wno-uninitialized)
   target_link_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZERS})
 endif()
+target_compile_options(toile_options INTERFACE ${TOILE_CODE_OPTIONS})
 
 find_program(TOILE_CCACHE ccache)
 if(TOILE_CCACHE)

@@ -10,11 +10,15 @@ struct RunArguments {
   std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
   int threads = 1;          ///< for the element loops of each rank
   bool quiet = false;
+  bool allow_plugins = false;  ///< the scene may load programs
 };
 
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
 int run(const RunArguments& arguments);
-int check(const std::string& scene);
-int describe(bool markdown, const std::string& list);
+int check(const std::string& scene, bool allow_plugins);
+/// `scene`: empty, or a file whose plug-ins are described too.
+int describe(bool markdown, const std::string& list, const std::string& scene, bool allow_plugins);
+/// Compiles a fabric; `output` empty: the source's name with .so, beside it.
+int build_material(const std::string& source, const std::string& output, bool verbose);
 
 }  // namespace toile::app

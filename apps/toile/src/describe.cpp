@@ -18,10 +18,11 @@ const std::string markdown_title =
 
 }  // namespace
 
-int check(const std::string& file) {
+int check(const std::string& file, bool allow_plugins) {
   base::Timer timer;
-  const base::List list = base::read_xml(file, scene::scene_spec());
-  const scene::Scene scene(list, 1, timer);
+  const material::Laws laws = scene::read_laws(file, allow_plugins);
+  const base::List list = base::read_xml(file, scene::scene_spec(laws));
+  const scene::Scene scene(list, 1, timer, laws);
   if (Tpetra::getDefaultComm()->getRank() == 0)
     std::cout << file << ": valid. " << scene.garment().mesh.nodes() << " nodes, " << scene.garment().mesh.elements()
               << " elements, " << scene.garment().seams.size() << " seams, " << scene.stages().size() << " stages"
@@ -29,8 +30,8 @@ int check(const std::string& file) {
   return static_cast<int>(base::ExitCode::success);
 }
 
-int describe(bool markdown, const std::string& name) {
-  base::Spec spec = scene::scene_spec();
+int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
+  base::Spec spec = scene::scene_spec(scene.empty() ? material::Laws() : scene::read_laws(scene, allow_plugins));
   if (!name.empty()) {
     base::Texts valid;
     const base::Spec* found = nullptr;

@@ -1,4 +1,4 @@
-// The command line of Toile: toile run | check | describe.
+// The command line of Toile: toile run | check | describe | material.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +19,9 @@ using toile::base::Texts;
 constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
     "is on disk), 4 a check of the scene did not hold.";
+
+constexpr const char* allow_text =
+    "Load the plug-ins that the scene names; they are programs that run with your rights";
 
 int report(const std::string& message, ExitCode code) {
   if (Tpetra::getDefaultComm()->getRank() == 0) std::cerr << "toile: " << message << std::endl;
@@ -57,9 +60,13 @@ Texts options_of(const CLI::App& app) {
 
 /// What is wrong with the command line: a misspelt option, one argument too many, or what the parser says.
 [[noreturn]] void explain(const CLI::App& app, const CLI::ParseError& error) {
-  const bool on_top = app.get_subcommands().empty();
-  const CLI::App& used = on_top ? app : *app.get_subcommands().front();
-  const std::string command = on_top ? "toile" : "toile " + used.get_name();
+  const CLI::App* innermost = &app;
+  std::string command = "toile";
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    command += " " + innermost->get_name();
+  }
+  const CLI::App& used = *innermost;
   const Texts extras = app.remaining(true);
   for (const std::string& extra : extras)
     if (extra.front() == '-')
@@ -100,21 +107,38 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   run->add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
 
+  run->add_flag("--allow-plugins", arguments.allow_plugins, allow_text);
+
   std::string scene;
+  bool allow_plugins = false;
   CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it");
   check->add_option("scene", scene, "XML file of the scene")->required();
+  check->add_flag("--allow-plugins", allow_plugins, allow_text);
 
   bool markdown = false;
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
   describe->add_option("list", list, "Only this list, for instance Panels");
   describe->add_flag("--markdown", markdown, "As Markdown");
-  for (CLI::App* sub : {run, check, describe}) sub->footer(footer);
+  describe->add_option("--scene", scene, "Also the plug-ins and formulas of this scene");
+  describe->add_flag("--allow-plugins", allow_plugins, allow_text);
+
+  std::string source, library;
+  bool verbose = false;
+  CLI::App* material = app.add_subcommand("material", "Make new fabrics");
+  material->require_subcommand(1);
+  CLI::App* build = material->add_subcommand("build", "Compile a fabric to a plug-in that scenes can load");
+  build->add_option("source", source, "C++ file of the fabric")->required();
+  build->add_option("-o,--output", library, "The plug-in (default: the name of the source with .so)")
+      ->type_name("FILE");
+  build->add_flag("--verbose", verbose, "Print the compiler's command and all that it says");
+  for (CLI::App* sub : {run, check, describe, build}) sub->footer(footer);
 
   if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
-  if (check->parsed()) return toile::app::check(scene);
-  return toile::app::describe(markdown, list);
+  if (check->parsed()) return toile::app::check(scene, allow_plugins);
+  if (build->parsed()) return toile::app::build_material(source, library, verbose);
+  return toile::app::describe(markdown, list, scene, allow_plugins);
 }
 
 }  // namespace

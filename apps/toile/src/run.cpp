@@ -81,8 +81,9 @@ int run(const RunArguments& arguments) {
   base::Timer timer;
   omp_set_num_threads(arguments.threads);
 
-  const base::List list = base::read_xml(arguments.scene, scene::scene_spec());
-  const scene::Scene scene(list, comm->getSize(), timer);
+  const material::Laws laws = scene::read_laws(arguments.scene, arguments.allow_plugins);
+  const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
+  const scene::Scene scene(list, comm->getSize(), timer, laws);
   const std::string folder = folder_of(arguments);
   std::optional<Recorder> recorder;
   on_first_rank([&] { recorder.emplace(scene, folder); });

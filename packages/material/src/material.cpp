@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "toile/base/error.hpp"
 #include "toile/material/relaxed_response.hpp"
@@ -51,10 +52,34 @@ double given_value(const ParamInfo& info, const base::List& list) {
   throw base::InputError(text);
 }
 
+/// What speaks against the natural state C = 1 of `law`: energy or stress above rounding (1e-9 of the tangent). Empty
+/// if there is nothing.
+std::string natural_objection(const MaterialV1& law, const std::vector<double>& params) {
+  constexpr std::array<double, 3> natural = {1.0, 1.0, 0.0};
+  std::array<double, 3> S = {};
+  std::array<double, 6> D = {};
+  double W = 0.0, thickness_stretch = 0.0;
+  std::uint8_t status = point_ok;
+  law.evaluate(law.context, 1, natural.data(), params.data(), 0, &W, S.data(), D.data(), &thickness_stretch, nullptr,
+               &status);
+  double tangent = 0.0, largest = std::abs(W);
+  for (const double d : D) tangent = std::max(tangent, std::abs(d));
+  for (const double s : S) largest = std::max(largest, std::abs(s));
+  if (status != point_not_admissible && largest <= 1e-9 * tangent) return "";
+  std::ostringstream text;
+  text << "the natural state (C11 = C22 = 1, C12 = 0) must be free of energy and stress, but there W = " << W
+       << ", S11 = " << S[0] << ", S22 = " << S[1] << ", S12 = " << S[2] << " MPa";
+  return text.str();
+}
+
 /// Throws what `law` says against `params`; blames the set for a value that the file does not give.
 void require_valid(const MaterialV1& law, const std::vector<double>& params, const base::List& list) {
   const auto found = objection(law, params);
-  if (!found) return;
+  if (!found) {
+    const std::string natural = natural_objection(law, params);
+    if (!natural.empty()) list.fail("type", natural);
+    return;
+  }
   const ParamInfo& info = law.info[found->param];
   if (list.given(info.name)) list.fail(info.name, found->text);
   list.fail("set", std::string("parameter \"") + info.name + "\": " + found->text);
@@ -103,8 +128,8 @@ double interpolate(const std::vector<std::pair<double, double>>& rows, double po
 
 }  // namespace
 
-Material::Material(const base::List& list)
-    : law_(find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
+Material::Material(const base::List& list, const Laws& laws)
+    : law_(laws.find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
   const ParamSet* set = named_set(*law_, list);
   for (int i = 0; i < law_->n_params; ++i) {
     const ParamInfo& info = law_->info[i];
@@ -128,7 +153,11 @@ Material::Material(const base::List& list)
 
 Material::Material(const MaterialV1& law, std::vector<double> params, double thickness,
                    std::shared_ptr<const Response> response)
-    : law_(&law), name_(law.name), thickness_(thickness), params_(std::move(params)), response_(std::move(response)) {
+    : law_(&law, [](const MaterialV1*) {}),
+      name_(law.name),
+      thickness_(thickness),
+      params_(std::move(params)),
+      response_(std::move(response)) {
   if (!response_) response_ = std::make_shared<PlainResponse>(law);
   if (static_cast<int>(params_.size()) != law.n_params)
     throw base::InputError("Material \"" + name_ + "\" has " + std::to_string(law.n_params) + " parameters, not " +

@@ -25,4 +25,21 @@ const MaterialV1* find(const std::string& name) {
   return nullptr;
 }
 
+Laws::Laws() {
+  const auto keep = [](const MaterialV1*) {};  // compiled in: never freed
+  for (const MaterialV1* law : registry()) all_.emplace_back(law, keep);
+}
+
+bool Laws::add(Law law) {
+  if (find(law->name) != nullptr) return false;
+  all_.push_back(std::move(law));
+  return true;
+}
+
+Laws::Law Laws::find(const std::string& name) const {
+  for (const Law& law : all_)
+    if (name == law->name) return law;
+  return nullptr;
+}
+
 }  // namespace toile::material

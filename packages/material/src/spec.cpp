@@ -54,9 +54,9 @@ bool is_flag(const std::vector<std::string>& words) {
   return words.size() == 2 && words[0] == "false" && words[1] == "true";
 }
 
-base::Spec material_spec() {
+base::Spec material_spec(const Laws& laws) {
   std::vector<base::Spec> variants;
-  for (const MaterialV1* law : registry()) variants.push_back(law_spec(*law));
+  for (const Laws::Law& law : laws.all()) variants.push_back(law_spec(*law));
   base::Spec spec("material", "One fabric, by its energy W per reference volume, in plane stress.");
   spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
   spec.choice("compression",

@@ -67,7 +67,8 @@ std::optional<body::Region> reach_of_moved_garment(const base::List& list) {
 
 }  // namespace
 
-Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(list.word("title")) {
+Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const material::Laws& laws)
+    : title_(list.word("title")) {
   {
     const auto phase = timer.phase("body");
     if (const auto body = optional_list(list, "Body")) {
@@ -80,7 +81,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(lis
     const auto seams = optional_list(list, "Seams");
     garment_ = garment::build_garment(list.list("Panels"), seams ? &*seams : nullptr, surface_.get());
   }
-  build_laws(list);
+  build_laws(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
   for (const solve::StageOptions& stage : stages_) {
     sews_ = sews_ || stage.type == solve::StageType::sew;
@@ -101,11 +102,11 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer) : title_(lis
   list_modules(ranks);
 }
 
-void Scene::build_laws(const base::List& list) {
+void Scene::build_laws(const base::List& list, const material::Laws& laws) {
   base::Texts names;
   for (const base::List& entry : list.list("Materials").entries()) {
     names.push_back(entry.name());
-    materials_[entry.name()] = std::make_unique<material::Material>(entry);
+    materials_[entry.name()] = std::make_unique<material::Material>(entry, laws);
   }
   for (const base::List& panel : list.list("Panels").entries()) {
     const std::string& wanted = panel.word("material");

@@ -5,7 +5,9 @@
 #include "toile/body/body.hpp"
 #include "toile/garment/panel.hpp"
 #include "toile/garment/seam.hpp"
+#include "toile/material/formula.hpp"
 #include "toile/material/material.hpp"
+#include "toile/material/plugin_files.hpp"
 #include "toile/scene/scene.hpp"
 #include "toile/solve/spec.hpp"
 
@@ -69,16 +71,18 @@ Spec checks_spec() {
 
 }  // namespace
 
-Spec materials_spec() {
-  return Spec("Materials", "The fabrics, by name.").entries(material::material_spec(), 1);
+Spec materials_spec(const material::Laws& laws) {
+  return Spec("Materials", "The fabrics, by name.").entries(material::material_spec(laws), 1);
 }
 
-Spec scene_spec() {
+Spec scene_spec(const material::Laws& laws) {
   return Spec("scene", "One garment, the body that wears it, and what happens to it.")
       .word("title", "What the scene shows.", std::string())
       .add(base::include_parameter())
       .list(body::body_spec())
-      .list(materials_spec(), true)
+      .list(material::plugins_spec())
+      .list(material::formulas_spec())
+      .list(materials_spec(laws), true)
       .list(garment::panels_spec(), true)
       .list(garment::seams_spec())
       .list(solve::supports_spec())

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "toile/base/parameters.hpp"
+#include "toile/material/material.hpp"
 
 namespace toile::scene {
 
 /// List "Materials": one entry a fabric.
-base::Spec materials_spec();
+base::Spec materials_spec(const material::Laws& laws);
 
 }  // namespace toile::scene

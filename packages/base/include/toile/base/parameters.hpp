@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -143,6 +144,11 @@ class List {
 /// none, every unknown name, wrong type, value out of range, unknown choice, missing parameter and missing list.
 /// Where a variant's selector is missing or wrong, names that are valid in one of its variants are not complained of.
 List read_xml(const std::string& file, const Spec& spec);
+
+/// One list of such a file alone, for what must be known before the description of the rest can be made. `root`: name
+/// of the outermost list; `part`: description of a list with a fixed name in it; nothing else in the file is validated.
+/// Empty if the file does not have that list.
+std::optional<List> read_part(const std::string& file, const std::string& root, const Spec& part);
 
 /// Declares "include" in the description of a whole file: files whose lists are read first and merged, so that a
 /// variant of a scene holds only its difference. What a file says goes before what it includes, a later included file

@@ -120,6 +120,32 @@ Fad<S, N> log(const Fad<S, N>& x) {
   return chain(x, std::array<base_type<S>, 3>{log(value), r, -r * r});
 }
 
+inline double exp(double x) {
+  return std::exp(x);
+}
+template <class S, int N>
+Fad<S, N> exp(const Fad<S, N>& x) {
+  const base_type<S> value = exp(base_value(x));
+  return chain(x, std::array<base_type<S>, 3>{value, value, value});
+}
+
+inline double sin(double x) {
+  return std::sin(x);
+}
+inline double cos(double x) {
+  return std::cos(x);
+}
+template <class S, int N>
+Fad<S, N> sin(const Fad<S, N>& x) {
+  const base_type<S> s = sin(base_value(x)), c = cos(base_value(x));
+  return chain(x, std::array<base_type<S>, 3>{s, c, -s});
+}
+template <class S, int N>
+Fad<S, N> cos(const Fad<S, N>& x) {
+  const base_type<S> s = sin(base_value(x)), c = cos(base_value(x));
+  return chain(x, std::array<base_type<S>, 3>{c, -s, -c});
+}
+
 inline double sqrt(double x) {
   return std::sqrt(x);
 }

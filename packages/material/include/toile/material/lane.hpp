@@ -102,9 +102,21 @@ Lane each_lane(Lane x, Function function) {
 
 #ifdef TOILE_VECTOR_MATH
 extern "C" Lane::Vector TOILE_VECTOR_MATH(log)(Lane::Vector);
+extern "C" Lane::Vector TOILE_VECTOR_MATH(exp)(Lane::Vector);
+extern "C" Lane::Vector TOILE_VECTOR_MATH(sin)(Lane::Vector);
+extern "C" Lane::Vector TOILE_VECTOR_MATH(cos)(Lane::Vector);
 extern "C" Lane::Vector TOILE_VECTOR_MATH2(pow)(Lane::Vector, Lane::Vector);
 inline Lane log(Lane x) {
   return Lane(TOILE_VECTOR_MATH(log)(x.v));
+}
+inline Lane exp(Lane x) {
+  return Lane(TOILE_VECTOR_MATH(exp)(x.v));
+}
+inline Lane sin(Lane x) {
+  return Lane(TOILE_VECTOR_MATH(sin)(x.v));
+}
+inline Lane cos(Lane x) {
+  return Lane(TOILE_VECTOR_MATH(cos)(x.v));
 }
 inline Lane pow(Lane x, Lane exponent) {
   return Lane(TOILE_VECTOR_MATH2(pow)(x.v, exponent.v));
@@ -112,6 +124,15 @@ inline Lane pow(Lane x, Lane exponent) {
 #else
 inline Lane log(Lane x) {
   return each_lane(x, [](double value) { return std::log(value); });
+}
+inline Lane exp(Lane x) {
+  return each_lane(x, [](double value) { return std::exp(value); });
+}
+inline Lane sin(Lane x) {
+  return each_lane(x, [](double value) { return std::sin(value); });
+}
+inline Lane cos(Lane x) {
+  return each_lane(x, [](double value) { return std::cos(value); });
 }
 inline Lane pow(Lane x, Lane exponent) {
   for (int i = 0; i < lanes; ++i) x.v[i] = std::pow(x.v[i], exponent.v[i]);

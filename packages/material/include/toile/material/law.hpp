@@ -15,9 +15,9 @@
 /// and, if wanted, `static constexpr std::array<ParamSet, m> sets`, `static int check(const double*, char*, int)` and
 ///   template <class T, class P> static T thickness_stretch(const PlaneC<T>& c, const Params<P>& p);   h/h0, if the
 /// material is not incompressible.
-/// `energy` is written once, without `if` on a T (use where()) and with power(), log(), sqrt(), reciprocal() of
-/// variables (not of expressions); keep intermediate results in variables of type T or P, never in `auto`.
-/// make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
+/// `energy` is written once, without `if` on a T (use where()) and with power(), log(), exp(), sqrt(), reciprocal(),
+/// sin(), cos() of variables (not of expressions); keep intermediate results in variables of type T or P, never in
+/// `auto`. make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
 namespace toile::material {
 
 /// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:
@@ -115,13 +115,28 @@ PlaneC<T> seeded(const std::array<Lane, 3>& C) {
   return PlaneC<T>(c[0], c[1], c[2]);
 }
 
+/// Where the value and all derivatives are numbers (neither infinite nor NaN).
+inline LaneMask finite(Lane x) {
+  return less_equal(x - x, 0.0);
+}
+template <class S, int N>
+LaneMask finite(const Fad<S, N>& x) {
+  LaneMask all = finite(x.val());
+  for (int i = 0; i < N; ++i) all = all & finite(x.fastAccessDx(i));
+  return all;
+}
+
 /// E = (C11/2, C22/2, C12), so d/dE = factor d/dC.
 inline constexpr std::array<double, 3> strain_factor = {2.0, 2.0, 1.0};
 
+/// W, S and (with T = Hessian) D of one block; a point where one of them is not finite (an exponential that overflows)
+/// becomes not admissible. Returns where the law is continued.
 template <class T, class Law, class P>
-[[gnu::flatten]] LaneMask evaluate_block(int n, const Block& block, const P& params, double* W, double* S, double* D) {
+[[gnu::flatten]] LaneMask evaluate_block(const Law& law, int n, Block& block, const P& params, double* W, double* S,
+                                         double* D) {
   const PlaneC<T> c = seeded<T>(block.C);
-  const T energy = Law::energy(c, params);
+  const T energy = law.energy(c, params);
+  block.admissible = block.admissible & finite(energy);
   store(block, base_value(energy), W);
   for (int a = 0; a < 3; ++a)
     store(block, strain_factor[a] * base_value(energy.fastAccessDx(a)), S + static_cast<long>(a) * n);
@@ -192,10 +207,10 @@ int evaluate(const void*, int n, const double* C, const double* params, int para
   const Params<Lane> law_params(values.data(), params, param_stride == 0 ? 1 : n);
   int bad = 0;
   for (int first = 0; first < n; first += lanes) {
-    const Block block = load(n, first, C);
+    Block block = load(n, first, C);
     if (param_stride != 0) load_params(n, block, params, values);
-    const LaneMask extrapolated = D ? evaluate_block<Hessian, Law>(n, block, law_params, W, S, D)
-                                    : evaluate_block<Gradient, Law>(n, block, law_params, W, S, nullptr);
+    const LaneMask extrapolated = D ? evaluate_block<Hessian>(Law(), n, block, law_params, W, S, D)
+                                    : evaluate_block<Gradient>(Law(), n, block, law_params, W, S, nullptr);
     if (dSdp) evaluate_sensitivity<Law>(n, block, values, law_params, dSdp);
     store(block, Thickness<Law>::stretch(block, law_params), thickness_stretch);
     bad += store_status(block, extrapolated, status);
@@ -221,20 +236,26 @@ struct Check<Law, std::void_t<decltype(&Law::check)>> {
   static int run(const double* params, char* message, int length) { return Law::check(params, message, length); }
 };
 
-/// MaterialV1::check of `Law`: the range of each parameter, then the law's own conditions.
-template <class Law>
-int check(const void*, const double* params, char* message, int length) {
-  for (std::size_t k = 0; k < Law::info.size(); ++k) {
-    const ParamInfo& info = Law::info[k];
+/// 1 + the index of the first parameter that is outside its range, with the message; 0: none.
+inline int check_ranges(const ParamInfo* params_info, int n_params, const double* params, char* message, int length) {
+  for (int k = 0; k < n_params; ++k) {
+    const ParamInfo& info = params_info[k];
     const bool above = info.lower_open ? params[k] > info.lower : params[k] >= info.lower;
     if (above && params[k] <= info.upper) continue;
     char upper[32] = "";
     if (info.upper < infinity) std::snprintf(upper, sizeof upper, " and <= %.6g", info.upper);
     std::snprintf(message, length, "%.6g is out of range: allowed is %s %.6g%s", params[k],
                   info.lower_open ? ">" : ">=", info.lower, upper);
-    return static_cast<int>(k) + 1;
+    return k + 1;
   }
-  return Check<Law>::run(params, message, length);
+  return 0;
+}
+
+/// MaterialV1::check of `Law`: the range of each parameter, then the law's own conditions.
+template <class Law>
+int check(const void*, const double* params, char* message, int length) {
+  const int outside = check_ranges(Law::info.data(), static_cast<int>(Law::info.size()), params, message, length);
+  return outside != 0 ? outside : Check<Law>::run(params, message, length);
 }
 
 }  // namespace detail

@@ -70,25 +70,43 @@ inline constexpr int material_abi = 1;
 
 /// All materials that are built in, in alphabetical order.
 const std::vector<const MaterialV1*>& registry();
-/// The one named `name`, or null.
+/// The built-in one named `name`, or null.
 const MaterialV1* find(const std::string& name);
 
-/// Description of a "Material" list: selector "type" with one variant a registered material; every parameter of every
+/// The laws of one run: those that are built in, and those that its plug-ins and formulas add. To a scene they are the
+/// same. A law lives as long as one of these or a Material has it.
+class Laws {
+ public:
+  using Law = std::shared_ptr<const MaterialV1>;
+
+  Laws();
+  /// False, and nothing is added, if there is a law of this name.
+  [[nodiscard]] bool add(Law law);
+  /// The one named `name`, or null.
+  Law find(const std::string& name) const;
+  /// The built-in ones first.
+  const std::vector<Law>& all() const { return all_; }
+
+ private:
+  std::vector<Law> all_;
+};
+
+/// Description of a "Material" list: selector "type" with one variant each of `laws`; every parameter of every
 /// material that is a number may be a table along the panel. "set" fills the parameters from a published set. Also
 /// holds "thickness" (mm, default 1), "compression" and "residual stiffness" (see RelaxedResponse).
-base::Spec material_spec();
+base::Spec material_spec(const Laws& laws = Laws());
 
 class Response;
 
 /// A material with the parameters of one scene: uniform, or varying along the panel's coordinate.
 class Material {
  public:
-  /// `list` follows material_spec(). Throws InputError if a parameter is missing (neither given nor in the set), or if
-  /// the values violate a condition of the material. A graduated material is checked at every position where one of its
-  /// tables has a row.
-  explicit Material(const base::List& list);
-  /// Uniform; `params` [n_params]; `response`: one derived from `law`, null: the law as it is. Throws InputError if the
-  /// parameters violate a condition of the material.
+  /// `list` follows material_spec(laws). Throws InputError if a parameter is missing (neither given nor in the set), if
+  /// the values violate a condition of the material, or if its natural state (C = 1) has energy or stress. A graduated
+  /// material is checked at every position where one of its tables has a row.
+  explicit Material(const base::List& list, const Laws& laws = Laws());
+  /// Uniform; `params` [n_params]; `law` must outlive this; `response`: one derived from `law`, null: the law as it is.
+  /// Throws InputError if the parameters violate a condition of the material.
   Material(const MaterialV1& law, std::vector<double> params, double thickness = 1.0,
            std::shared_ptr<const Response> response = nullptr);
 
@@ -109,7 +127,7 @@ class Material {
     int param;
     std::vector<std::pair<double, double>> rows;
   };
-  const MaterialV1* law_;
+  Laws::Law law_;
   std::string name_;
   double thickness_;
   std::vector<double> params_;

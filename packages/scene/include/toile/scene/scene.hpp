@@ -17,8 +17,12 @@
 
 namespace toile::scene {
 
-/// Description of a whole scene file: every list that Toile reads.
-base::Spec scene_spec();
+/// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be.
+base::Spec scene_spec(const material::Laws& laws = material::Laws());
+
+/// The built-in laws and those that the scene in `file` adds by its lists "Plug-ins" and "Formulas". Throws
+/// base::InputError, also if it has plug-ins that are not allowed.
+material::Laws read_laws(const std::string& file, bool allow_plugins);
 
 /// A named height along the axis of the body (hosiery levels).
 struct Level {
@@ -65,8 +69,8 @@ struct Check {
 /// Everything that one scene file describes, built and ready to be solved. The same on every rank.
 class Scene {
  public:
-  /// Builds what the validated list names, and nothing else. Throws base::InputError.
-  Scene(const base::List& list, int ranks, base::Timer& timer);
+  /// Builds what the list, which follows scene_spec(laws), names, and nothing else. Throws base::InputError.
+  Scene(const base::List& list, int ranks, base::Timer& timer, const material::Laws& laws = material::Laws());
 
   const std::string& title() const { return title_; }
   const garment::Garment& garment() const { return garment_; }
@@ -83,7 +87,7 @@ class Scene {
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
-  void build_laws(const base::List& list);
+  void build_laws(const base::List& list, const material::Laws& laws);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;
   void check_shells_of_moments(const base::List& loads) const;
