@@ -1,0 +1,100 @@
+// What the published fabrics must fulfil, and what is known of where they do not.
+#include <cmath>
+
+#include "fabrics.hpp"
+#include "toile/criteria/pointwise.hpp"
+#include "toile/criteria/polyconvexity.hpp"
+
+namespace toile::criteria::test {
+namespace {
+
+MapPoint at(const Fabric& fabric, double wale, double course, double shear) {
+  return map_point(wale, course, shear, fabric.evaluate(strain_of(wale, course, shear)));
+}
+
+// Both Itskov sets are elliptic wherever both principal stresses are tensile, and convex in the stretches along the
+// axes; each criterion has states to be tried at.
+TEST(Fabrics, ItskovPassesInTension) {
+  for (const char* name : {"itskov, pantyhose", "itskov, t-shirt"}) {
+    const Report report = check(published(name), coarse());
+    EXPECT_TRUE(report.passed()) << table(report);
+    EXPECT_EQ(finding(report.findings, name::elliptic_tension).verdict, Verdict::holds) << table(report);
+    EXPECT_EQ(finding(report.findings, name::convex_tension).verdict, Verdict::holds) << table(report);
+  }
+}
+
+// The map shows loss of ellipticity at F = [[0.95, 2.3], [0, 1.15]], which is not in tension.
+TEST(Fabrics, ItskovLosesEllipticityInShear) {
+  const MapPoint point = at(published("itskov, pantyhose"), 0.95, 1.15, 2.3);
+  EXPECT_FALSE(point.elliptic);
+  EXPECT_FALSE(point.tensile);
+  EXPECT_LT(point.ellipticity, 0.0);
+}
+
+// The literal hosiery law fails the check in tension; the continued one passes it over the same box.
+TEST(Fabrics, OnlyTheLiteralHosieryFails) {
+  const Fabric continued = published("rebar, pantyhose");
+  const Report literal = check(literal_form(continued).front(), coarse());
+  EXPECT_THAT(literal.failed, ::testing::IsSupersetOf({name::elliptic_tension, name::convex_tension}));
+  const Report report = check(continued, coarse());
+  EXPECT_TRUE(report.passed()) << table(report);
+}
+
+// Neo-Hookean fabric is elliptic everywhere (doc/theory.md, "Loss of ellipticity") and, being polyconvex in the plane
+// as tr C is convex and 1/J^2 convex in J, nothing refutes it; it is isotropic.
+TEST(Fabrics, NeoHookeanKeepsEverything) {
+  Request request = coarse();
+  request.symmetry = Symmetry::isotropic;
+  request.required = Request::all();
+  const Report report = check(published("neo-hookean, t-shirt"), request);
+  EXPECT_TRUE(report.passed()) << table(report);
+  EXPECT_EQ(finding(report.findings, name::polyconvex).verdict, Verdict::undecided);
+}
+
+// An energy that is not rank-one convex is not polyconvex: the pair test refutes the Itskov law in shear, and finds
+// nothing against it at states in tension.
+TEST(Fabrics, PolyconvexityInThePlaneIsRefuted) {
+  const Fabric fabric = published("itskov, pantyhose");
+  const Polyconvexity result = polyconvexity(fabric, coarse(), map(fabric, coarse()), 60);
+  EXPECT_GT(result.refuted, 0);
+  EXPECT_FALSE(at(fabric, 0.95, 1.15, 2.3).elliptic);
+}
+
+// Every registered law and set, stretch 0.3 to 5, shear to 3, random orientations, and exponents of 20: finite numbers
+// or a clean refusal, and derivatives that are those of the energy.
+TEST(Fabrics, StiffAndExtremeStatesGiveNumbersOrARefusal) {
+  std::vector<Fabric> fabrics = published_fabrics();
+  for (const Fabric& fabric : published_fabrics())
+    for (const Fabric& literal : literal_form(fabric)) fabrics.push_back(literal);
+  Fabric stiff = published("itskov, pantyhose");
+  stiff.name = "itskov with exponents of 20";
+  for (int i = 0; i < stiff.law->n_params; ++i) {
+    const std::string name = stiff.law->info[i].name;
+    if (name.rfind("alpha", 0) == 0 || name.rfind("beta", 0) == 0) stiff.params[i] = 20.0;
+  }
+  fabrics.push_back(stiff);
+  for (const char* law : {"hencky", "isotropic-elastic"})
+    for (double poisson : {-0.9, 0.0, 0.3, 0.499}) fabrics.push_back({law, material::find(law), {0.1, poisson}});
+  Request request = coarse();
+  request.wale = request.course = {0.3, 5.0};
+  request.shear = {-3.0, 3.0};
+  std::vector<std::string> laws;
+  for (const Fabric& fabric : fabrics) {
+    laws.push_back(fabric.law->name);
+    const Finding finite = finite_numbers(fabric, request), slopes = derivatives(fabric, request);
+    EXPECT_EQ(finite.verdict, Verdict::holds) << fabric.name << ": " << finite.text;
+    EXPECT_EQ(slopes.verdict, Verdict::holds) << fabric.name << ": " << slopes.text;
+    EXPECT_EQ(natural_state(fabric).verdict, Verdict::holds) << fabric.name << ": " << natural_state(fabric).text;
+  }
+  for (const material::MaterialV1* law : material::registry())
+    EXPECT_THAT(laws, ::testing::Contains(std::string(law->name))) << "add it to this test";
+}
+
+// A set that its law refuses (weights of the T-shirt as printed) is not among the published fabrics.
+TEST(Fabrics, RefusedSetsAreLeftOut) {
+  EXPECT_THROW(published("itskov, t-shirt as printed"), std::runtime_error);
+  EXPECT_GE(published_fabrics().size(), 6u);
+}
+
+}  // namespace
+}  // namespace toile::criteria::test
