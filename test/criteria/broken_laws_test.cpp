@@ -39,9 +39,15 @@ Fabric faulty() {
 }
 
 void nothing(Outputs&) {}
-void offset_stress(Outputs& s) { s.S[0] += 1e-4; }
-void offset_energy(Outputs& s) { s.W += 1e-4; }
-void wrong_tangent(Outputs& s) { s.D[3] *= 1.001; }
+void offset_stress(Outputs& s) {
+  s.S[0] += 1e-4;
+}
+void offset_energy(Outputs& s) {
+  s.W += 1e-4;
+}
+void wrong_tangent(Outputs& s) {
+  s.D[3] *= 1.001;
+}
 void silent_nan(Outputs& s) {
   if (s.C[0] > 20.0) s.S[1] = std::numeric_limits<double>::quiet_NaN();
 }
@@ -61,16 +67,24 @@ void fibre(Outputs& s) {
   s.D[0] += 8e-3;
 }
 /// S1 depends on E2, but S2 not on E1: no energy.
-void no_energy(Outputs& s) { s.S[0] += 1e-3 * (s.C[1] - 1.0); }
+void no_energy(Outputs& s) {
+  s.S[0] += 1e-3 * (s.C[1] - 1.0);
+}
 /// W -> W/(1 + (W/unit)^2): falls again.
 void bounded(Outputs& s) {
   const double unit = 1e-2, f = 1.0 + std::pow(s.W / unit, 2.0);
   s.W /= f;
 }
 
-Verdict natural(const Fabric& fabric) { return natural_state(fabric).verdict; }
-Verdict slopes(const Fabric& fabric) { return derivatives(fabric, coarse()).verdict; }
-Verdict numbers(const Fabric& fabric) { return finite_numbers(fabric, coarse()).verdict; }
+Verdict natural(const Fabric& fabric) {
+  return natural_state(fabric).verdict;
+}
+Verdict slopes(const Fabric& fabric) {
+  return derivatives(fabric, coarse()).verdict;
+}
+Verdict numbers(const Fabric& fabric) {
+  return finite_numbers(fabric, coarse()).verdict;
+}
 Verdict symmetry(const Fabric& fabric, Symmetry asked) {
   Request request = coarse();
   request.symmetry = asked;

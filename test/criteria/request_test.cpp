@@ -24,8 +24,8 @@ std::string refusal(const std::string& name, const std::vector<double>& values) 
   return refusal(list);
 }
 
-// Without a word the box reaches beyond the stretch of 3.4 where the literal hosiery law fails, and all but loss outside
-// tension and polyconvexity must hold.
+// Without a word the box reaches beyond the stretch of 3.4 where the literal hosiery law fails, and all but loss
+// outside tension and polyconvexity must hold.
 TEST(Request, Defaults) {
   const Request request = read_request(base::validate(Teuchos::ParameterList("Check"), check_spec(), "fabric.xml"));
   EXPECT_GT(request.course[1], 3.4);

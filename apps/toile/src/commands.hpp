@@ -12,9 +12,18 @@ struct RunArguments {
   bool quiet = false;
 };
 
+/// What the command line says of a check of fabrics.
+struct MaterialCheckArguments {
+  std::string file;         ///< a fabric's XML file, or a scene if `material` is given
+  std::string material;     ///< one of the scene's
+  std::string output = "";  ///< folder of maps; empty: results/<name of the file>-check
+  bool all = false;         ///< every published set instead of a file
+};
+
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
 int run(const RunArguments& arguments);
 int check(const std::string& scene);
+int check_material(const MaterialCheckArguments& arguments);
 int describe(bool markdown, const std::string& list);
 
 }  // namespace toile::app

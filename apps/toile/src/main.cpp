@@ -1,4 +1,4 @@
-// The command line of Toile: toile run | check | describe.
+// The command line of Toile: toile run | check | material check | describe.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@ using toile::base::Texts;
 
 constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
-    "is on disk), 4 a check of the scene did not hold.";
+    "is on disk), 4 a check of the scene or of a fabric did not hold.";
 
 int report(const std::string& message, ExitCode code) {
   if (Tpetra::getDefaultComm()->getRank() == 0) std::cerr << "toile: " << message << std::endl;
@@ -57,9 +57,13 @@ Texts options_of(const CLI::App& app) {
 
 /// What is wrong with the command line: a misspelt option, one argument too many, or what the parser says.
 [[noreturn]] void explain(const CLI::App& app, const CLI::ParseError& error) {
-  const bool on_top = app.get_subcommands().empty();
-  const CLI::App& used = on_top ? app : *app.get_subcommands().front();
-  const std::string command = on_top ? "toile" : "toile " + used.get_name();
+  const CLI::App* innermost = &app;
+  std::string command = "toile";
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    command += " " + innermost->get_name();
+  }
+  const CLI::App& used = *innermost;
   const Texts extras = app.remaining(true);
   for (const std::string& extra : extras)
     if (extra.front() == '-')
@@ -104,16 +108,28 @@ int dispatch(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it");
   check->add_option("scene", scene, "XML file of the scene")->required();
 
+  toile::app::MaterialCheckArguments fabric;
+  CLI::App* material = app.add_subcommand("material", "Work on fabrics");
+  material->require_subcommand(1);
+  CLI::App* check_material = material->add_subcommand("check", "Check a fabric's energy and map where it loses what");
+  check_material->add_option("file", fabric.file, "XML file with lists Material and Check, or a scene");
+  check_material->add_option("material", fabric.material, "Which of the scene's materials");
+  check_material
+      ->add_option("--output", fabric.output, "Folder of the maps (default: results/<name of the file>-check)")
+      ->type_name("DIR");
+  check_material->add_flag("--all", fabric.all, "Every published set, in its literal form too");
+
   bool markdown = false;
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
   describe->add_option("list", list, "Only this list, for instance Panels");
   describe->add_flag("--markdown", markdown, "As Markdown");
-  for (CLI::App* sub : {run, check, describe}) sub->footer(footer);
+  for (CLI::App* sub : {run, check, material, check_material, describe}) sub->footer(footer);
 
   if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
   if (check->parsed()) return toile::app::check(scene);
+  if (check_material->parsed()) return toile::app::check_material(fabric);
   return toile::app::describe(markdown, list);
 }
 

@@ -6,14 +6,13 @@
 namespace toile::criteria {
 
 std::vector<std::string> Request::all() {
-  return {name::finite, name::natural,          name::derivatives,    name::symmetry,
-          name::growth, name::elliptic_tension, name::convex_tension, name::elliptic,
-          name::convex, name::polyconvex};
+  return {name::finite,           name::natural,        name::derivatives, name::symmetry, name::growth,
+          name::elliptic_tension, name::convex_tension, name::elliptic,    name::convex,   name::polyconvex};
 }
 
 std::vector<std::string> Request::default_required() {
-  return {name::finite,   name::natural, name::derivatives,
-          name::symmetry, name::growth,  name::elliptic_tension, name::convex_tension};
+  return {name::finite, name::natural,          name::derivatives,   name::symmetry,
+          name::growth, name::elliptic_tension, name::convex_tension};
 }
 
 std::vector<double> positions(const std::array<double, 2>& range, int points) {

@@ -16,9 +16,7 @@ Finding loss(const std::vector<MapPoint>& map, const char* criterion, Verdict if
              Lost lost) {
   int tried = 0, bad = 0;
   const MapPoint* first = nullptr;
-  const auto distance = [](const MapPoint& p) {
-    return std::hypot(std::log(p.wale), std::log(p.course), p.shear);
-  };
+  const auto distance = [](const MapPoint& p) { return std::hypot(std::log(p.wale), std::log(p.course), p.shear); };
   for (const MapPoint& p : map) {
     if (!p.state.admissible() || !counts(p)) continue;
     ++tried;
@@ -63,8 +61,7 @@ Finding conditioning(const std::vector<MapPoint>& map) {
   }
   if (worst == nullptr) return {"conditioning", Verdict::undecided, "no admissible state"};
   std::string text = "of the tangent D at most " + figure(worst->condition, 3) + " at " + place(*worst);
-  if (in_tension != nullptr)
-    text += "; in tension " + figure(in_tension->condition, 3) + " at " + place(*in_tension);
+  if (in_tension != nullptr) text += "; in tension " + figure(in_tension->condition, 3) + " at " + place(*in_tension);
   if (indefinite > 0) text += "; D is not positive definite in " + std::to_string(indefinite) + " states";
   return {"conditioning", Verdict::reported, text};
 }

@@ -111,7 +111,8 @@ Losses losses(const Fabric& fabric, const Path& path, double end) {
       return found;
     }
     const auto note = [&](std::optional<double>& place, const auto& lost) {
-      if (!place && lost(*now)) place = lost(*before) ? before->stretch : bisected(fabric, path, *before, stretch, lost);
+      if (!place && lost(*now))
+        place = lost(*before) ? before->stretch : bisected(fabric, path, *before, stretch, lost);
     };
     note(found.ellipticity, not_elliptic);
     note(found.convexity, not_convex);
@@ -125,10 +126,10 @@ Losses losses(const Fabric& fabric, const Path& path, double end) {
 std::vector<Finding> path_findings(const Fabric& fabric, const Request& request) {
   std::vector<Finding> findings;
   for (const Path& path : paths()) {
-    const double high = path.wale ? path.course ? std::min(request.wale[1], request.course[1]) : request.wale[1]
-                                  : request.course[1];
-    const double low = path.wale ? path.course ? std::max(request.wale[0], request.course[0]) : request.wale[0]
-                                 : request.course[0];
+    const double high =
+        path.wale ? path.course ? std::min(request.wale[1], request.course[1]) : request.wale[1] : request.course[1];
+    const double low =
+        path.wale ? path.course ? std::max(request.wale[0], request.course[0]) : request.wale[0] : request.course[0];
     std::string text;
     for (double end : {high, low}) {
       if (end == high ? high <= 1.0 : low >= 1.0) continue;

@@ -100,10 +100,12 @@ Finding material_symmetry(const Fabric& fabric, const Request& request) {
     of_turn = std::max(of_turn, std::abs(turn[i].W - at[i].W) / W);
   }
   const bool orthotropic = of_mirror < rounding, isotropic = orthotropic && of_turn < rounding;
-  const std::string text =
-      std::string(isotropic ? "isotropic" : orthotropic ? "orthotropic" : "neither orthotropic nor isotropic") +
-      " (mirror image: " + figure(of_mirror, 2) + ", rotation: " + figure(of_turn, 2) +
-      " of W and S); objective, because a law sees C only";
+  const std::string text = std::string(isotropic     ? "isotropic"
+                                       : orthotropic ? "orthotropic"
+                                                     : "neither orthotropic nor isotropic") +
+                           " (W and S of the mirror image differ by " + figure(of_mirror, 2) +
+                           ", W after rotation by " + figure(of_turn, 2) +
+                           " of their value); objective, because a law sees C only";
   if (request.symmetry == Symmetry::none) return {name::symmetry, Verdict::reported, text};
   return judged(name::symmetry, request.symmetry == Symmetry::isotropic ? isotropic : orthotropic, text);
 }

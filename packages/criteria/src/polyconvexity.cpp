@@ -68,7 +68,8 @@ bool is_refuted(const State& s, const std::vector<Sampled>& samples) {
     }
     // Rounding must not refute.
     excess += 1e-12 * size;
-    const double det = determinant(step), length = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + step[3] * step[3];
+    const double det = determinant(step),
+                 length = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + step[3] * step[3];
     if (std::abs(det) <= 1e-12 * length) {
       if (excess < 0.0) return true;
     } else if (det > 0.0) {
@@ -85,6 +86,11 @@ bool is_refuted(const State& s, const std::vector<Sampled>& samples) {
 Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const std::vector<MapPoint>& map, int n) {
   const std::vector<Sampled> samples = all_turned(fabric, map);
   Polyconvexity result;
+  for (const MapPoint& p : map) {
+    if (!p.state.admissible()) continue;
+    ++result.mapped;
+    if (!p.elliptic && result.not_elliptic++ == 0) result.at = p.state.C;
+  }
   for (const State& s : fabric.evaluate(random_states(request, n))) {
     if (!s.admissible()) continue;
     const bool tensile = s.tensile();
@@ -98,14 +104,16 @@ Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const 
 }
 
 Finding polyconvexity_finding(const Polyconvexity& result) {
-  const std::string of = std::to_string(result.states) + " states";
-  if (result.refuted == 0)
+  const std::string tried =
+      std::to_string(result.mapped) + " states by ellipticity and " + std::to_string(result.states) + " by pairs";
+  if (!result.is_refuted())
     return {name::polyconvex, Verdict::undecided,
-            "not decided: none of " + of + " contradicts it, which is no proof (in the plane)"};
+            "not decided: nothing contradicts it (" + tried + "), which is no proof"};
   return {name::polyconvex, Verdict::fails,
-          "refuted in the plane at " + std::to_string(result.refuted) + " of " + of + " (in tension " +
-              std::to_string(result.tensile_refuted) + " of " + std::to_string(result.tensile) + "), for instance at " +
-              place(result.at)};
+          "refuted in the plane of the fabric: not elliptic in " + std::to_string(result.not_elliptic) + " of " +
+              std::to_string(result.mapped) + " states, contradicted by pairs at " + std::to_string(result.refuted) +
+              " of " + std::to_string(result.states) + " (in tension " + std::to_string(result.tensile_refuted) +
+              " of " + std::to_string(result.tensile) + "), for instance at " + place(result.at)};
 }
 
 }  // namespace toile::criteria

@@ -6,7 +6,8 @@ namespace toile::criteria {
 namespace {
 
 constexpr const char* list_text =
-    "States F = [[wale stretch, shear], [0, course stretch]] at which `toile material check` tries the fabric, and what "
+    "States F = [[wale stretch, shear], [0, course stretch]] at which `toile material check` tries the fabric, and "
+    "what "
     "must hold.";
 
 /// A scene's material under the fixed name of this file.

@@ -15,16 +15,21 @@ namespace toile::criteria {
 /// polyconvexity are the same, Terpstra, Math. Ann. 116 (1939).)
 /// The plane-stress energy of a law that is polyconvex in space need not be polyconvex in the plane.
 struct Polyconvexity {
-  int states = 0;           ///< F0 that were tried
+  int mapped = 0;           ///< states of the map
+  int not_elliptic = 0;     ///< of these; one refutes, because rank-one convexity is necessary
+  int states = 0;           ///< F0 that were tried against pairs
   int refuted = 0;          ///< those whose bounds contradict each other
   int tensile = 0;          ///< of all, those in tension
   int tensile_refuted = 0;  ///< of the refuted, those in tension
-  Strain at = {};           ///< a refuted F0
+  Strain at = {};           ///< a state that refutes
+
+  bool is_refuted() const { return not_elliptic > 0 || refuted > 0; }
 };
 
-/// `n` states F0 of the box (evenly spread, seeded) against the whole map turned by 12 angles, and its mirror images in
-/// shear.
-Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const std::vector<MapPoint>& map, int n = 200);
+/// The acoustic tensor over the map, and `n` states F0 of the box (evenly spread, seeded) against the whole map turned
+/// by 12 angles and its mirror images in shear.
+Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const std::vector<MapPoint>& map,
+                            int n = 200);
 
 Finding polyconvexity_finding(const Polyconvexity& result);
 
