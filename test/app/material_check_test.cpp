@@ -76,6 +76,13 @@ TEST_F(MaterialCheck, MaterialOfAScene) {
   EXPECT_THAT(outcome.out, HasSubstr("fabric (itskov): passed"));
 }
 
+// The shipped examples do what their comments say.
+TEST_F(MaterialCheck, ShippedFabrics) {
+  const std::string folder = "material check " TOILE_SOURCE_DIR "/input/fabrics/";
+  EXPECT_EQ(toile(folder + "hosiery-rebar.xml").status, 0);
+  EXPECT_EQ(toile(folder + "hosiery-rebar-literal.xml").status, 4);
+}
+
 // Every published set, and the literal forms for comparison.
 TEST_F(MaterialCheck, AllPublishedSets) {
   const Outcome outcome = toile("material check --all --output maps");
@@ -112,6 +119,13 @@ TEST_F(MaterialCheck, BadCommandLine) {
   expect_refused("scene.xml --all", "material check: --all takes no file");
   expect_refused("missing.xml", "missing.xml");
   expect_refused("--al", "unknown option of \"toile material check\" \"--al\"; did you mean \"--all\"?");
+}
+
+// One rank is enough, and several would write the same files.
+TEST_F(MaterialCheck, RunsOnOneRank) {
+  const Outcome outcome = toile("material check --all", 2);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("material check runs on one rank"));
 }
 
 // The list is described like those of a scene.

@@ -60,7 +60,8 @@ int describe(bool markdown, const std::string& name) {
   if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
   if (markdown) std::cout << markdown_title;
   for (const base::Spec& spec : specs)
-    std::cout << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+    std::cout << (&spec == &specs.front() ? "" : "\n")
+              << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

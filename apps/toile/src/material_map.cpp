@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
@@ -42,25 +43,35 @@ result::Table table_of(const std::vector<MapPoint>& map) {
   return table;
 }
 
-const char* class_of(const MapPoint& p) {
-  if (!p.state.admissible()) return "not admissible";
-  if (!p.elliptic) return p.tensile ? "ellipticity lost in tension" : "ellipticity lost";
-  if (!p.convex) return "convexity in stretches lost";
-  return p.tensile ? "kept, in tension" : "kept, compressed";
+constexpr const char* classes[] = {"kept, in tension",
+                                   "kept, compressed",
+                                   "convexity in stretches lost",
+                                   "ellipticity lost, compressed",
+                                   "not admissible",
+                                   "convexity in stretches lost in tension",
+                                   "ellipticity lost in tension"};
+
+/// Index in `classes`.
+int class_of(const MapPoint& p) {
+  if (!p.state.admissible()) return 4;
+  if (!p.elliptic) return p.tensile ? 6 : 3;
+  if (!p.convex) return p.tensile ? 5 : 2;
+  return p.tensile ? 0 : 1;
 }
 
 /// The points of one plane of the map, a series for each class that it holds.
 template <class X, class Y, class Picks>
 result::Plot plane(const std::vector<MapPoint>& map, X x, Y y, Picks picks) {
   result::Plot plot;
-  for (const char* name : {"kept, in tension", "kept, compressed", "convexity in stretches lost", "ellipticity lost",
-                           "ellipticity lost in tension", "not admissible"}) {
+  plot.legend_below = true;
+  for (int k = 0; k < static_cast<int>(std::size(classes)); ++k) {
     result::Series series;
-    series.title = name;
+    series.title = classes[k];
     series.line = false;
     series.markers = true;
+    series.colour = k + 1;
     for (const MapPoint& p : map)
-      if (picks(p) && std::string(name) == class_of(p)) {
+      if (picks(p) && class_of(p) == k) {
         series.x.push_back(x(p));
         series.y.push_back(y(p));
       }

@@ -31,8 +31,8 @@ enum class Symmetry {
 /// Grid of states F = [[wale, shear], [0, course]] and what is asked of them.
 struct Request {
   std::array<double, 2> wale = {0.5, 5.0}, course = {0.5, 5.0}, shear = {0.0, 3.0};
-  int points = 46;       ///< along each stretch
-  int shear_points = 7;  ///< along the shear
+  int points = 46;        ///< along each stretch
+  int shear_points = 13;  ///< along the shear
   Symmetry symmetry = Symmetry::orthotropic;
   /// Criteria that must hold; the others are told but not counted.
   std::vector<std::string> required = default_required();

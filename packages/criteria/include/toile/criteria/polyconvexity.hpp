@@ -29,7 +29,7 @@ struct Polyconvexity {
 /// The acoustic tensor over the map, and `n` states F0 of the box (evenly spread, seeded) against the whole map turned
 /// by 12 angles and its mirror images in shear.
 Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const std::vector<MapPoint>& map,
-                            int n = 200);
+                            int n = 100);
 
 Finding polyconvexity_finding(const Polyconvexity& result);
 
