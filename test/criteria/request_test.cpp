@@ -53,6 +53,13 @@ TEST(Request, WrongRange) {
   EXPECT_THAT(refusal("wale stretch", {-0.5, 1.0}), HasSubstr("allowed: > 0"));
 }
 
+// A map that no memory holds is refused before it is computed.
+TEST(Request, TooManyStates) {
+  Teuchos::ParameterList list("Check");
+  list.set("points", 1000);
+  EXPECT_THAT(refusal(list), HasSubstr("a map of 1.3e+07 states is too large; allowed are 4e+06"));
+}
+
 // An unknown criterion is named with the nearest valid one.
 TEST(Request, UnknownCriterion) {
   Teuchos::ParameterList list("Check");

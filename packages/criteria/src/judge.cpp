@@ -70,14 +70,12 @@ Finding conditioning(const std::vector<MapPoint>& map) {
 
 std::vector<Finding> judge(const std::vector<MapPoint>& map) {
   const auto tensile = [](const MapPoint& p) { return p.tensile; };
-  // Along the axes: without shear the principal directions are wale and course.
-  const auto tensile_along = [](const MapPoint& p) { return p.tensile && p.shear == 0.0; };
   const auto any = [](const MapPoint&) { return true; };
   const auto elliptic_lost = [](const MapPoint& p) { return !p.elliptic; };
   const auto convex_lost = [](const MapPoint& p) { return !p.convex; };
   const Verdict fails = Verdict::fails, holds = Verdict::holds;
   return {loss(map, name::elliptic_tension, fails, holds, tensile, elliptic_lost),
-          loss(map, name::convex_tension, fails, holds, tensile_along, convex_lost),
+          loss(map, name::convex_tension, fails, holds, tensile, convex_lost),
           loss(map, name::elliptic, fails, holds, any, elliptic_lost),
           loss(map, name::convex, fails, holds, any, convex_lost),
           validity(map),

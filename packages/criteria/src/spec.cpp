@@ -10,6 +10,9 @@ constexpr const char* list_text =
     "what "
     "must hold.";
 
+/// States of a map that fit into a small machine's memory (about 300 bytes each).
+constexpr double largest_map = 4e6;
+
 /// A scene's material under the fixed name of this file.
 base::Spec material_list() {
   const base::Spec scene = material::material_spec();
@@ -75,6 +78,10 @@ Request read_request(const base::List& list) {
   request.shear = range_of(list, "shear", true);
   request.points = list.integer("points");
   request.shear_points = list.integer("shear points");
+  const double states = 1.0 * request.points * request.points * request.shear_points;
+  if (states > largest_map)
+    list.fail("points", "a map of " + figure(states, 3) + " states is too large; allowed are " +
+                            figure(largest_map, 3) + " (points^2 times \"shear points\")");
   const std::string& symmetry = list.word("symmetry");
   request.symmetry = symmetry == "none"          ? Symmetry::none
                      : symmetry == "orthotropic" ? Symmetry::orthotropic

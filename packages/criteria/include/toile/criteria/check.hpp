@@ -24,7 +24,8 @@ std::string table(const Report& report);
 base::Spec check_spec();
 base::Spec file_spec();
 
-/// Reads `list` (check_spec()). Throws InputError for a range that is empty or reversed, an unknown criterion.
+/// Reads `list` (check_spec()). Throws InputError for a range that is empty or reversed, an unknown criterion, or a map
+/// of more than 4e6 states.
 Request read_request(const base::List& list);
 
 /// What is checked of a scene's material: one fabric, or one for each end and the middle of a panel if it is graduated.
