@@ -12,6 +12,7 @@
 namespace toile::result::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 Plot example() {
@@ -51,6 +52,20 @@ class Environment {
 void fake_gnuplot(const TemporaryFolder& folder, const std::string& commands) {
   std::ofstream(folder.file("gnuplot")) << "#!/bin/sh\n" << commands << '\n';
   std::filesystem::permissions(folder.file("gnuplot"), std::filesystem::perms::owner_all);
+}
+
+// A class of points keeps its colour whatever other classes a plot has, and a legend may stand below.
+TEST(Plot, ColourAndLegendAreChosen) {
+  const TemporaryFolder folder;
+  Plot plot = example();
+  write_plot(folder.path().string(), "plain", plot);
+  plot.series[1].colour = 7;
+  plot.legend_below = true;
+  write_plot(folder.path().string(), "chosen", plot);
+  EXPECT_THAT(read_text(folder.file("plain.gp")),
+              AllOf(HasSubstr("set key noenhanced top right"), HasSubstr("linetype 2")));
+  EXPECT_THAT(read_text(folder.file("chosen.gp")),
+              AllOf(HasSubstr("set key noenhanced below"), HasSubstr("linetype 7")));
 }
 
 // The points and a script that draws SVG and PNG from them stay in the results, with all texts of the plot.

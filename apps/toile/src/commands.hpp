@@ -13,6 +13,15 @@ struct RunArguments {
   bool allow_plugins = false;  ///< the scene may load programs
 };
 
+/// What the command line says of a check of fabrics.
+struct MaterialCheckArguments {
+  std::string file;            ///< a fabric's XML file, or a scene if `material` is given
+  std::string material;        ///< one of the scene's
+  std::string output = "";     ///< folder of maps; empty: results/<name of the file>-check
+  bool all = false;            ///< every published set instead of a file
+  bool allow_plugins = false;  ///< the scene may load programs
+};
+
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
 int run(const RunArguments& arguments);
 int check(const std::string& scene, bool allow_plugins);
@@ -20,5 +29,6 @@ int check(const std::string& scene, bool allow_plugins);
 int describe(bool markdown, const std::string& list, const std::string& scene, bool allow_plugins);
 /// Compiles a fabric; `output` empty: the source's name with .so, beside it.
 int build_material(const std::string& source, const std::string& output, bool verbose);
+int check_material(const MaterialCheckArguments& arguments);
 
 }  // namespace toile::app

@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
+#include "toile/criteria/check.hpp"
 #include "toile/scene/scene.hpp"
 
 namespace toile::app {
@@ -15,6 +16,14 @@ const std::string markdown_title =
     "`<Parameter name=\"...\" type=\"...\" value=\"...\"/>`. Names in angle brackets are yours to choose. "
     "An empty unit means a number without one, an empty \"allowed\" any value. "
     "This page is what `toile describe --markdown` prints.\n\n";
+
+/// The other file that Toile reads; its list Material is described with the scene's materials.
+base::Spec fabric_file() {
+  base::Spec spec("fabric",
+                  "File of `toile material check`: list Material (required; holds what scene > Materials > <material> "
+                  "does) and list Check.");
+  return spec.add(base::include_parameter()).list(criteria::check_spec());
+}
 
 }  // namespace
 
@@ -31,14 +40,16 @@ int check(const std::string& file, bool allow_plugins) {
 }
 
 int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
-  base::Spec spec = scene::scene_spec(scene.empty() ? material::Laws() : scene::read_laws(scene, allow_plugins));
+  const material::Laws laws = scene.empty() ? material::Laws() : scene::read_laws(scene, allow_plugins);
+  std::vector<base::Spec> specs = {scene::scene_spec(laws), fabric_file()};
   if (!name.empty()) {
     base::Texts valid;
     const base::Spec* found = nullptr;
-    for (const auto& [inner, is_required] : spec.lists()) {
-      valid.push_back(inner.name());
-      if (inner.name() == name) found = &inner;
-    }
+    for (const base::Spec& spec : specs)
+      for (const auto& [inner, is_required] : spec.lists()) {
+        valid.push_back(inner.name());
+        if (inner.name() == name) found = &inner;
+      }
     if (found == nullptr) {
       const std::string near = base::nearest_name(name, valid);
       std::string all;
@@ -46,10 +57,13 @@ int describe(bool markdown, const std::string& name, const std::string& scene, b
       throw base::InputError("describe: the scene has no list \"" + name + "\"" +
                              (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Lists: " + all);
     }
-    spec = base::Spec(*found);
+    specs = std::vector<base::Spec>{*found};
   }
-  if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << (markdown ? markdown_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+  if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
+  if (markdown) std::cout << markdown_title;
+  for (const base::Spec& spec : specs)
+    std::cout << (&spec == &specs.front() ? "" : "\n")
+              << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

@@ -18,7 +18,7 @@ using toile::base::Texts;
 
 constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
-    "is on disk), 4 a check of the scene did not hold.";
+    "is on disk), 4 a check of the scene or of a fabric did not hold.";
 
 constexpr const char* allow_text =
     "Load the plug-ins that the scene names; they are programs that run with your rights";
@@ -115,6 +115,18 @@ int dispatch(int argc, char** argv) {
   check->add_option("scene", scene, "XML file of the scene")->required();
   check->add_flag("--allow-plugins", allow_plugins, allow_text);
 
+  toile::app::MaterialCheckArguments fabric;
+  CLI::App* material = app.add_subcommand("material", "Work on fabrics");
+  material->require_subcommand(1);
+  CLI::App* check_material = material->add_subcommand("check", "Check a fabric's energy and map where it loses what");
+  check_material->add_option("file", fabric.file, "XML file with lists Material and Check, or a scene");
+  check_material->add_option("material", fabric.material, "Which of the scene's materials");
+  check_material
+      ->add_option("--output", fabric.output, "Folder of the maps (default: results/<name of the file>-check)")
+      ->type_name("DIR");
+  check_material->add_flag("--allow-plugins", fabric.allow_plugins, allow_text);
+  check_material->add_flag("--all", fabric.all, "Every published set, in its literal form too");
+
   bool markdown = false;
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
@@ -125,18 +137,17 @@ int dispatch(int argc, char** argv) {
 
   std::string source, library;
   bool verbose = false;
-  CLI::App* material = app.add_subcommand("material", "Make new fabrics");
-  material->require_subcommand(1);
   CLI::App* build = material->add_subcommand("build", "Compile a fabric to a plug-in that scenes can load");
   build->add_option("source", source, "C++ file of the fabric")->required();
   build->add_option("-o,--output", library, "The plug-in (default: the name of the source with .so)")
       ->type_name("FILE");
   build->add_flag("--verbose", verbose, "Print the compiler's command and all that it says");
-  for (CLI::App* sub : {run, check, describe, build}) sub->footer(footer);
+  for (CLI::App* sub : {run, check, describe, material, check_material, build}) sub->footer(footer);
 
   if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
   if (check->parsed()) return toile::app::check(scene, allow_plugins);
+  if (check_material->parsed()) return toile::app::check_material(fabric);
   if (build->parsed()) return toile::app::build_material(source, library, verbose);
   return toile::app::describe(markdown, list, scene, allow_plugins);
 }

@@ -75,7 +75,7 @@ std::string data_text(const Plot& plot) {
 
 /// The parts of gnuplot's plot command for one series.
 std::vector<std::string> curves(const std::string& data, const Series& series, std::size_t index) {
-  const std::string style = " linetype " + std::to_string(index + 1);
+  const std::string style = " linetype " + std::to_string(series.colour > 0 ? series.colour : index + 1);
   const std::string title = series.title.empty() ? " notitle" : " title " + quoted(series.title);
   const char* kind = !series.markers ? " with lines linewidth 2" : series.line ? " with linespoints" : " with points";
   const std::string source = quoted(data) + " index " + std::to_string(index);
@@ -122,7 +122,7 @@ std::string script_text(const std::string& name, const Plot& plot) {
       << "set title " << quoted(plot.title) << " noenhanced\n"
       << "set xlabel " << quoted(plot.x_label) << " noenhanced\n"
       << "set ylabel " << quoted(plot.y_label) << " noenhanced\n"
-      << "set key noenhanced top right\n"
+      << "set key noenhanced " << (plot.legend_below ? "below" : "top right") << '\n'
       << "set grid\n"
       << (plot.y_from_zero ? "set yrange [0:*]\n" : "") << "set offsets graph 0.02, graph 0.02, graph 0.08, 0\n";
   if (plot.second_axis) {

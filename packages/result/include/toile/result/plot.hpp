@@ -14,6 +14,7 @@ struct Series {
   bool line = true;
   bool markers = false;
   std::vector<std::string> labels;  ///< text beside each point; empty: none
+  int colour = 0;                   ///< gnuplot's line type; 0: by the series' place
 };
 
 /// Second scale of the y axis: value = factor * y.
@@ -29,6 +30,7 @@ struct Plot {
   std::vector<Series> series;
   std::optional<SecondAxis> second_axis;
   bool y_from_zero = false;
+  bool legend_below = false;  ///< under the picture, where it hides nothing
 };
 
 /// Writes `folder`/`name`.dat (the points) and `folder`/`name`.gp (a script that can be edited and run again in that
