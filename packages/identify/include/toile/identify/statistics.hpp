@@ -7,17 +7,18 @@
 
 namespace toile::identify {
 
-/// How a curve and the fit differ. Deviations are fit minus data.
+/// How a curve and the fit differ. Deviations are fit minus data, over the points where the law has such a state.
 struct CurveReport {
   std::string name;
   bool fitted;
   std::vector<double> stress;  ///< of the fit, MPa; NaN where the law has no such state
+  int missing;                 ///< number of these
   double rms;                  ///< MPa
   double relative;             ///< rms over the rms of the data
   double largest;              ///< deviation of the largest size, MPa
   double largest_relative;     ///< the same over the largest stress of the data
   double largest_at;           ///< its stretch
-  double end_relative;         ///< deviation at the last point over the data there
+  double end_relative;         ///< deviation at the last point over the data there; NaN if it is missing
 };
 
 std::vector<CurveReport> curve_reports(const FitProblem& problem, const std::vector<double>& params);
