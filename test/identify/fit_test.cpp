@@ -1,11 +1,16 @@
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <iostream>
 
 #include "fabric_tests.hpp"
+#include "toile/identify/report.hpp"
 #include "toile/identify/residuals.hpp"
 
 namespace toile::identify::test {
 namespace {
+
+using ::testing::HasSubstr;
 
 const std::vector<VirtualTest> tensile = {
     {"wale", "uniaxial", 0.0, 2.0}, {"course", "uniaxial", 90.0, 2.2}, {"bias", "uniaxial", 45.0, 2.1}};
@@ -67,11 +72,10 @@ TEST(Fit, ItskovWithoutBiaxialData) {
   }
 }
 
-std::string rebar_free() {
-  std::string text = free_parameter("C10", 1e-4, 0.1, true);
-  for (const std::string fibre : {"c", "d"})
-    for (const std::string order : {"0", "1", "2", "3", "4", "5"})
-      text += free_parameter(fibre + order, order == "0" ? 0.0 : -200.0, order == "0" ? 1.0 : 200.0);
+std::string fibre_free(const std::string& fibre) {
+  std::string text;
+  for (const std::string order : {"0", "1", "2", "3", "4", "5"})
+    text += free_parameter(fibre + order, order == "0" ? 0.0 : -200.0, order == "0" ? 1.0 : 200.0);
   return text;
 }
 
@@ -87,8 +91,9 @@ TEST(Fit, RebarIsTooSoftInBias) {
   for (const double weight : {0.0, 1.0}) {
     const FitFolder folder;
     folder.measure(tensile, 0.02);
-    folder.write_fit(parameter("type", "string", "rebar"), rebar_free(), "", with_bias_weight(weight),
-                     parameter("keep tangent positive", "bool", "true"));
+    folder.write_fit(parameter("type", "string", "rebar"),
+                     free_parameter("C10", 1e-4, 0.1, true) + fibre_free("c") + fibre_free("d"), "",
+                     with_bias_weight(weight), parameter("keep tangent positive", "bool", "true"));
     const Outcome o = run(folder);
     for (const CurveReport& r : o.reports)
       std::cout << r.name << (r.fitted ? " fitted" : " predicted") << ": rms " << 100.0 * r.relative
@@ -177,6 +182,68 @@ TEST(Fit, KeepsTheLawsOwnConditions) {
   for (const int w1 : {3, 8, 13}) EXPECT_LE(o.result.params[w1] + o.result.params[w1 + 1], 1.0 + 1e-12) << w1;
   const std::vector<double> edge = o.problem.params(o.problem.repaired(std::vector<double>(15, 1.0)));
   EXPECT_NEAR(edge[3] + edge[4], 1.0, 1e-9);
+}
+
+// Data whose stress falls: the fit follows them, unless it must keep its tangent positive.
+TEST(Fit, KeepsTheTangentPositive) {
+  double smallest[2] = {};
+  for (const bool keep : {false, true}) {
+    const FitFolder folder;
+    folder.write("wale.csv",
+                 "stretch [-], nominal stress "
+                 "[MPa]\n1.1,0.01\n1.2,0.03\n1.3,0.05\n1.35,0.045\n1.4,0.04\n1.45,0.035\n1.5,0.03\n1.6,0.05\n");
+    folder.write_fit(parameter("type", "string", "rebar") + parameter("d0", "double", "0"),
+                     free_parameter("C10", 1e-4, 0.1, true) + fibre_free("c"), "", {{"wale", "uniaxial", 0.0, 1.6}},
+                     parameter("keep tangent positive", "bool", keep ? "true" : "false"));
+    const Outcome o = run(folder);
+    Residuals residuals(o.problem);
+    residuals.chi_squared(o.result.x());
+    smallest[keep ? 1 : 0] = residuals.smallest_rise();
+  }
+  EXPECT_LT(smallest[0], -0.05);
+  EXPECT_GE(smallest[1], 0.0);
+}
+
+// The XML block of a fit is an entry of a scene's list Materials and reads back to the same bits, words and flags
+// included.
+TEST(Report, MaterialReadsBack) {
+  for (const std::string law : {"itskov", "rebar"}) {
+    const FitFolder folder;
+    folder.measure({tensile[0]}, 0.02);
+    folder.write_fit(
+        parameter("type", "string", law) + parameter("set", "string", "pantyhose") +
+            (law == "rebar" ? parameter("modulus", "string", "secant") : parameter("swap axes", "bool", "true")),
+        free_parameter(law == "rebar" ? "C10" : "mu1", 1e-3, 0.7), "", {tensile[0]}, "");
+    const FitProblem problem(folder.read());
+    const std::vector<double> params = problem.params({1.0 / 3.0});
+    folder.write("materials.xml", list("Materials", material_xml(problem, params)));
+    const base::List materials =
+        base::read_xml(folder.path("materials.xml"), base::Spec("Materials", "").entries(material::material_spec()));
+    const material::Material read(materials.entries().front());
+    EXPECT_EQ(read.name(), "knit");
+    EXPECT_EQ(read.law().name, law);
+    EXPECT_EQ(read.params(), params) << law;
+  }
+}
+
+// The report tells what limits the trust in a fit: a curve that is only predicted and by how much it is off, a
+// parameter at its bound, what the data leave open.
+TEST(Report, TellsTheLimits) {
+  const FitFolder folder;
+  std::vector<VirtualTest> tests = {tensile[0], tensile[2]};
+  tests[1].weight = 0.0;
+  folder.measure(tests, 0.02);
+  folder.write_fit(parameter("type", "string", "rebar") + parameter("C10", "double", "0.008"),
+                   free_parameter("c0", 0.0, 1e-3) + free_parameter("d0", 0.1, 1.0), "", tests,
+                   parameter("generations", "int", "20") + parameter("starts", "int", "1"));
+  const Outcome o = run(folder);
+  const std::string text = report_text(o.problem, o.result, o.reports, parameter_statistics(o.problem, o.result));
+  EXPECT_THAT(text, HasSubstr("bias (predicted, not fitted): rms "));
+  EXPECT_THAT(text, HasSubstr("at the largest stretch "));
+  EXPECT_THAT(text, HasSubstr("c0 = 0.001 MPa +- "));
+  EXPECT_THAT(text, HasSubstr(", at its upper bound"));
+  EXPECT_THAT(text, HasSubstr("the law does not follow these curves"));
+  EXPECT_THAT(text, HasSubstr("  1 d0: no curve depends on it"));
 }
 
 }  // namespace
