@@ -6,6 +6,7 @@
 #include <random>
 
 #include "toile/base/error.hpp"
+#include "toile/material/given_values.hpp"
 
 namespace toile::identify {
 namespace {

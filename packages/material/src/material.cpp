@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "toile/base/error.hpp"
+#include "toile/material/given_values.hpp"
 #include "toile/material/relaxed_response.hpp"
 #include "words.hpp"
 

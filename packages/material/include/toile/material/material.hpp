@@ -78,10 +78,6 @@ const MaterialV1* find(const std::string& name);
 /// holds "thickness" (mm, default 1), "compression" and "residual stiffness" (see RelaxedResponse).
 base::Spec material_spec();
 
-/// Values [n_params] of a list that follows material_spec(): those that it gives (the first of a table), else those of
-/// its set, else the defaults; NaN where a parameter has none of these.
-std::vector<double> given_values(const MaterialV1& law, const base::List& list);
-
 class Response;
 
 /// A material with the parameters of one scene: uniform, or varying along the panel's coordinate.
