@@ -26,6 +26,13 @@ toile_library(eigen INCLUDE ${EIGEN_INCLUDE})
 
 find_path(PEGTL_INCLUDE tao/pegtl.hpp REQUIRED)
 toile_library(pegtl INCLUDE ${PEGTL_INCLUDE})
+find_package(Boost REQUIRED COMPONENTS serialization)
+find_library(PAGMO_LIBRARY pagmo REQUIRED)
+find_path(PAGMO_INCLUDE pagmo/problem.hpp REQUIRED)
+toile_library(pagmo INCLUDE ${PAGMO_INCLUDE} ${EIGEN_INCLUDE} LINK ${PAGMO_LIBRARY} Boost::serialization)
+find_library(NLOPT_LIBRARY nlopt REQUIRED)
+find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
+toile_library(nlopt INCLUDE ${NLOPT_INCLUDE} LINK ${NLOPT_LIBRARY})
 
 find_path(METIS_INCLUDE metis.h REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)

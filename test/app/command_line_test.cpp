@@ -13,7 +13,7 @@ using CommandLine = ProgramTest;
 TEST_F(CommandLine, HelpNamesSubcommandsAndExitStatus) {
   const Outcome help = toile("--help");
   EXPECT_EQ(help.status, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("run "), HasSubstr("check "), HasSubstr("describe "),
+  EXPECT_THAT(help.out, AllOf(HasSubstr("run "), HasSubstr("check "), HasSubstr("identify "), HasSubstr("describe "),
                               HasSubstr("0 success, 1 internal error, 2 bad input"), HasSubstr("3 a solve failed"),
                               HasSubstr("4 a check of the scene"), Not(HasSubstr("okkos"))));
   EXPECT_EQ(help.err, "");
@@ -45,8 +45,9 @@ TEST_F(CommandLine, AsksForASubcommand) {
 TEST_F(CommandLine, SuggestsASubcommand) {
   const Outcome outcome = toile("chek scene.xml");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err,
-            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check material describe\n");
+  EXPECT_EQ(
+      outcome.err,
+      "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check material identify describe\n");
 }
 
 // A misspelt option is answered by the nearest one, whether its value is written with a blank or with "=".

@@ -22,6 +22,13 @@ struct MaterialCheckArguments {
   bool allow_plugins = false;  ///< the scene may load programs
 };
 
+/// What the command line says of a fit.
+struct IdentifyArguments {
+  std::string file;         ///< XML file
+  std::string output = "";  ///< folder of the results; empty: that of the file, or results/<name of the file>
+  bool quiet = false;
+};
+
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
 int run(const RunArguments& arguments);
 int check(const std::string& scene, bool allow_plugins);
@@ -30,5 +37,8 @@ int describe(bool markdown, const std::string& list, const std::string& scene, b
 /// Compiles a fabric; `output` empty: the source's name with .so, beside it.
 int build_material(const std::string& source, const std::string& output, bool verbose);
 int check_material(const MaterialCheckArguments& arguments);
+int identify(const IdentifyArguments& arguments);
+/// Prints the input reference of a fit file.
+int describe_fit(bool markdown);
 
 }  // namespace toile::app

@@ -1,4 +1,4 @@
-// The command line of Toile: toile run | check | describe | material.
+// The command line of Toile: toile run | check | identify | describe | material.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -127,7 +127,20 @@ int dispatch(int argc, char** argv) {
   check_material->add_flag("--allow-plugins", fabric.allow_plugins, allow_text);
   check_material->add_flag("--all", fabric.all, "Every published set, in its literal form too");
 
+  toile::app::IdentifyArguments fit_arguments;
+  bool describe_fit = false;
   bool markdown = false;
+  CLI::App* identify = app.add_subcommand("identify", "Fit the parameters of a material to tests of the fabric");
+  CLI::Option* fit_file = identify->add_option("fit", fit_arguments.file, "XML file of the fit");
+  identify->add_option("--output", fit_arguments.output, "Folder of the results (default: results/<name of the file>)")
+      ->type_name("DIR");
+  identify->add_flag("--quiet", fit_arguments.quiet, "Print errors and warnings only");
+  CLI::Option* describing = identify->add_flag("--describe", describe_fit, "Print every parameter of a fit file");
+  identify->add_flag("--markdown", markdown, "With --describe: as Markdown")->needs(describing);
+  identify->callback([&] {
+    if (!describe_fit && fit_file->count() == 0) throw CLI::RequiredError("fit");
+  });
+
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
   describe->add_option("list", list, "Only this list, for instance Panels");
@@ -142,10 +155,12 @@ int dispatch(int argc, char** argv) {
   build->add_option("-o,--output", library, "The plug-in (default: the name of the source with .so)")
       ->type_name("FILE");
   build->add_flag("--verbose", verbose, "Print the compiler's command and all that it says");
-  for (CLI::App* sub : {run, check, describe, material, check_material, build}) sub->footer(footer);
+  for (CLI::App* sub : {run, check, identify, describe, material, check_material, build}) sub->footer(footer);
 
   if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
+  if (identify->parsed())
+    return describe_fit ? toile::app::describe_fit(markdown) : toile::app::identify(fit_arguments);
   if (check->parsed()) return toile::app::check(scene, allow_plugins);
   if (check_material->parsed()) return toile::app::check_material(fabric);
   if (build->parsed()) return toile::app::build_material(source, library, verbose);

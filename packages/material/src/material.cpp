@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "toile/base/error.hpp"
+#include "toile/material/given_values.hpp"
 #include "toile/material/relaxed_response.hpp"
 #include "words.hpp"
 
@@ -128,20 +129,28 @@ double interpolate(const std::vector<std::pair<double, double>>& rows, double po
 
 }  // namespace
 
+std::vector<double> given_values(const MaterialV1& law, const base::List& list) {
+  const ParamSet* set = named_set(law, list);
+  std::vector<double> values;
+  for (int i = 0; i < law.n_params; ++i) {
+    const ParamInfo& info = law.info[i];
+    if (info.choices == nullptr && list.has_table(info.name))
+      values.push_back(list.table(info.name).front().second);
+    else if (list.given(info.name))
+      values.push_back(given_value(info, list));
+    else
+      values.push_back(set ? set->values[i] : info.fallback);
+  }
+  return values;
+}
+
 Material::Material(const base::List& list, const Laws& laws)
     : law_(laws.find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
-  const ParamSet* set = named_set(*law_, list);
+  params_ = given_values(*law_, list);
   for (int i = 0; i < law_->n_params; ++i) {
     const ParamInfo& info = law_->info[i];
-    if (info.choices == nullptr && list.has_table(info.name)) {
-      tables_.push_back({i, list.table(info.name)});
-      params_.push_back(tables_.back().rows.front().second);
-    } else if (list.given(info.name)) {
-      params_.push_back(given_value(info, list));
-    } else {
-      params_.push_back(set ? set->values[i] : info.fallback);
-    }
-    if (std::isnan(params_.back())) fail_missing(*law_, info, list);
+    if (info.choices == nullptr && list.has_table(info.name)) tables_.push_back({i, list.table(info.name)});
+    if (std::isnan(params_[i])) fail_missing(*law_, info, list);
   }
   response_ = response_of(*law_, params_, list);
   // The laws' conditions are linear in the parameters and the tables are piecewise linear: their rows decide.

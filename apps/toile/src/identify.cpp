@@ -1,0 +1,195 @@
+#include "toile/identify/fit.hpp"
+
+#include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <sstream>
+
+#include "commands.hpp"
+#include "toile/base/error.hpp"
+#include "toile/base/log.hpp"
+#include "toile/base/progress.hpp"
+#include "toile/base/timer.hpp"
+#include "toile/identify/report.hpp"
+#include "toile/result/csv.hpp"
+#include "toile/result/plot.hpp"
+
+namespace toile::app {
+
+namespace {
+
+using identify::Curve;
+using identify::CurveReport;
+
+const std::string markdown_title =
+    "# Input reference of a fit\n\n"
+    "What `toile identify` reads: `<ParameterList name=\"fit\">` with the lists below; see [identify](identify.md). "
+    "This page is what `toile identify --describe --markdown` prints.\n\n";
+
+/// Progress every twentieth of the work.
+class Progress {
+ public:
+  Progress(base::Log& log, const base::Timer& timer) : log_(log), timer_(timer) {}
+  void operator()(double part, double chi) {
+    if (part < next_ && part < 1.0) return;
+    next_ = part + 0.05;
+    std::ostringstream line;
+    line.precision(3);
+    line << 100.0 * part << " %, chi^2 " << chi << ", " << base::duration_text(timer_.elapsed()) << " elapsed, about "
+         << base::duration_text(timer_.elapsed() * (1.0 - part) / part) << " left";
+    log_.info(line.str());
+  }
+
+ private:
+  base::Log& log_;
+  const base::Timer& timer_;
+  double next_ = 0.0;
+};
+
+std::string folder_of(const IdentifyArguments& arguments, const base::List& list) {
+  if (!arguments.output.empty()) return arguments.output;
+  if (list.has_list("Output") && !list.list("Output").word("folder").empty()) return list.list("Output").word("folder");
+  return "results/" + std::filesystem::path(arguments.file).stem().string();
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (!out) throw base::InputError("cannot write " + path);
+}
+
+/// All curves, one below the other.
+result::Table curve_table(const std::vector<Curve>& curves, const std::vector<CurveReport>& reports) {
+  result::Table table;
+  table.row_title = "curve";
+  table.columns = {{{"stretch", "-"}, {}}, {{"data", "MPa"}, {}}, {{"noise", "MPa"}, {}}, {{"fit", "MPa"}, {}}};
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (std::size_t i = 0; i < curves[c].stretch.size(); ++i) {
+      table.row_names.push_back(curves[c].name);
+      const double row[] = {curves[c].stretch[i], curves[c].stress[i], curves[c].deviation[i], reports[c].stress[i]};
+      for (std::size_t k = 0; k < 4; ++k) table.columns[k].values.push_back(row[k]);
+    }
+  return table;
+}
+
+result::Table residual_table(const std::vector<CurveReport>& reports) {
+  result::Table table;
+  table.row_title = "curve";
+  table.columns = {{{"fitted", ""}, {}},
+                   {{"rms", "MPa"}, {}},
+                   {{"rms over that of the data", ""}, {}},
+                   {{"largest", "MPa"}, {}},
+                   {{"at stretch", ""}, {}},
+                   {{"largest over largest stress", ""}, {}},
+                   {{"at the end, relative", ""}, {}},
+                   {{"missing points", ""}, {}}};
+  for (const CurveReport& r : reports) {
+    table.row_names.push_back(r.name);
+    const double row[] = {r.fitted ? 1.0 : 0.0, r.rms,          r.relative,       r.largest, r.largest_at,
+                          r.largest_relative,   r.end_relative, double(r.missing)};
+    for (std::size_t k = 0; k < table.columns.size(); ++k) table.columns[k].values.push_back(row[k]);
+  }
+  return table;
+}
+
+result::Table parameter_table(const identify::FitProblem& problem, const std::vector<double>& params,
+                              const identify::ParameterStatistics& statistics) {
+  result::Table table;
+  table.row_title = "parameter";
+  table.columns = {{{"value", ""}, {}}, {{"standard deviation", ""}, {}}, {{"lower", ""}, {}}, {{"upper", ""}, {}}};
+  for (std::size_t k = 0; k < problem.free().size(); ++k) {
+    const identify::FreeParameter& p = problem.free()[k];
+    const material::ParamInfo& info = problem.law().info[p.index];
+    table.row_names.push_back(std::string(info.name) + (*info.unit ? std::string(" [") + info.unit + "]" : ""));
+    const double row[] = {params[p.index], statistics.deviation[k], p.lower, p.upper};
+    for (std::size_t c = 0; c < 4; ++c) table.columns[c].values.push_back(row[c]);
+  }
+  return table;
+}
+
+/// `matrix` [n][n] over the free parameters.
+result::Table matrix_table(const identify::FitProblem& problem, const std::vector<double>& matrix) {
+  result::Table table;
+  table.row_title = "parameter";
+  const std::size_t n = problem.free().size();
+  for (std::size_t a = 0; a < n; ++a) {
+    const std::string name = problem.law().info[problem.free()[a].index].name;
+    table.row_names.push_back(name);
+    table.columns.push_back({{name, ""}, {matrix.begin() + a * n, matrix.begin() + (a + 1) * n}});
+  }
+  return table;
+}
+
+result::Plot curve_plot(const std::string& title, const std::vector<Curve>& curves,
+                        const std::vector<CurveReport>& reports) {
+  result::Plot plot;
+  plot.title = title;
+  plot.x_label = "stretch";
+  plot.y_label = "nominal stress (MPa)";
+  double largest = 0.0;
+  for (const Curve& curve : curves)
+    largest = std::max(largest, *std::max_element(curve.stress.begin(), curve.stress.end()));
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    result::Series data = {curves[c].name, curves[c].stretch, curves[c].stress, false, true, {}};
+    result::Series fit = {curves[c].name + (reports[c].fitted ? ", fit" : ", prediction"),
+                          curves[c].stretch,
+                          reports[c].stress,
+                          true,
+                          false,
+                          {}};
+    // A prediction that leaves the data far behind would hide all the others.
+    for (double& y : fit.y)
+      if (std::abs(y) > 2.0 * largest) y = std::numeric_limits<double>::quiet_NaN();
+    plot.series.push_back(data);
+    plot.series.push_back(fit);
+  }
+  return plot;
+}
+
+}  // namespace
+
+int identify(const IdentifyArguments& arguments) {
+  if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
+  base::Log log(std::cout, std::cerr, arguments.quiet);
+  base::Timer timer;
+  const base::List list = base::read_xml(arguments.file, identify::fit_spec());
+  const identify::FitProblem problem(list);
+  const std::string folder = folder_of(arguments, list);
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw base::InputError("cannot create the folder " + folder + ": " + failure.message());
+
+  log.info(list.word("title") + "\n" + std::to_string(problem.free().size()) + " free parameters of material \"" +
+           problem.law().name + "\", " + std::to_string(problem.curves().size()) + " curves, results in " + folder);
+  const identify::FitResult result =
+      identify::fit(problem, identify::Algorithm(list.list("Algorithm")), Progress(log, timer));
+  const std::vector<CurveReport> reports = identify::curve_reports(problem, result.params);
+  const identify::ParameterStatistics statistics = identify::parameter_statistics(problem, result);
+  const std::string report = identify::report_text(problem, result, reports, statistics);
+
+  write_text(folder + "/material.xml", identify::material_xml(problem, result.params));
+  write_text(folder + "/report.txt", report);
+  result::write_csv(folder + "/curves.csv", curve_table(problem.curves(), reports));
+  result::write_csv(folder + "/residuals.csv", residual_table(reports));
+  result::write_csv(folder + "/parameters.csv", parameter_table(problem, result.params, statistics));
+  result::write_csv(folder + "/covariance.csv", matrix_table(problem, statistics.covariance));
+  result::write_csv(folder + "/correlation.csv", matrix_table(problem, statistics.correlation));
+  const auto warning = result::write_plot(folder, "curves", curve_plot(list.word("title"), problem.curves(), reports));
+  if (warning) log.warn(*warning);
+  log.info(report + identify::material_xml(problem, result.params));
+  return static_cast<int>(base::ExitCode::success);
+}
+
+int describe_fit(bool markdown) {
+  const base::Spec spec = identify::fit_spec();
+  if (Tpetra::getDefaultComm()->getRank() == 0)
+    std::cout << (markdown ? markdown_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+  return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace toile::app

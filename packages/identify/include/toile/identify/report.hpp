@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "toile/identify/statistics.hpp"
+
+namespace toile::identify {
+
+/// The fitted material as an entry of the list Materials of a scene, ready to be pasted; reads back to the last bit.
+std::string material_xml(const FitProblem& problem, const std::vector<double>& params);
+
+/// What a user should know of a fit: starts, curves, parameters with their deviations and correlations, and what limits
+/// the trust in it.
+std::string report_text(const FitProblem& problem, const FitResult& result, const std::vector<CurveReport>& curves,
+                        const ParameterStatistics& statistics);
+
+}  // namespace toile::identify

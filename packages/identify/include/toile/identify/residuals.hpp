@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "toile/identify/homogeneous.hpp"
+#include "toile/identify/problem.hpp"
+
+namespace toile::identify {
+
+/// Sum of weighted squared residuals of a problem's fitted curves: chi^2 = sum_i w_i ((P_i - d_i)/sigma_i)^2, and the
+/// rises of the fit from each stretch to the next. Holds work arrays: one object a thread.
+///
+/// This is the forward model's only door: a model of the clamped strip by finite elements would answer stresses and
+/// their derivatives at the same points in place of Homogeneous.
+class Residuals {
+ public:
+  explicit Residuals(const FitProblem& problem);
+
+  int count() const { return static_cast<int>(data_.size()); }  ///< fitted points
+  int rises() const { return static_cast<int>(rise_.size()); }
+
+  /// Each evaluates the candidate x [n_free]; a candidate without a solution at some point has chi^2 = `hopeless`.
+  double chi_squared(const std::vector<double>& x);
+  /// With derivatives: residual() [count] (weighted), jacobian() [n_free][count] by x, rise() [rises] over each curve's
+  /// largest stress and its derivatives rise_jacobian() [n_free][rises].
+  double chi_squared_and_derivatives(const std::vector<double>& x);
+
+  const std::vector<double>& residual() const { return residual_; }
+  const std::vector<double>& jacobian() const { return jacobian_; }
+  const std::vector<double>& rise() const { return rise_; }
+  const std::vector<double>& rise_jacobian() const { return rise_jacobian_; }
+  /// Smallest rise of the last evaluation; negative: the stress falls somewhere.
+  double smallest_rise() const;
+
+  static constexpr double hopeless = 1e30;
+
+ private:
+  double finish();
+  static std::vector<TestPoint> fitted_points(const FitProblem& problem);
+
+  const FitProblem& problem_;
+  Homogeneous states_;
+  std::vector<double> data_, factor_;  ///< [count]; factor: sqrt(weight) / sigma
+  std::vector<int> rise_from_;         ///< a rise is from this point to the next
+  std::vector<double> rise_scale_;
+  std::vector<double> stress_, gradient_, residual_, jacobian_, rise_, rise_jacobian_;
+};
+
+}  // namespace toile::identify

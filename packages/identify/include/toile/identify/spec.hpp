@@ -1,0 +1,20 @@
+#pragma once
+
+#include "toile/base/parameters.hpp"
+
+namespace toile::identify {
+
+/// Description of a fit file: `<ParameterList name="fit">`.
+base::Spec fit_spec();
+
+/// "Algorithm" of a fit.
+struct Algorithm {
+  bool genetic = true;  ///< else differential evolution
+  int population = 0, generations = 0, starts = 1;
+  unsigned seed = 1;
+  bool polish = true;
+
+  explicit Algorithm(const base::List& list);
+};
+
+}  // namespace toile::identify

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/identify/fit.hpp"
+
+namespace toile::identify {
+
+/// How a curve and the fit differ. Deviations are fit minus data, over the points where the law has such a state.
+struct CurveReport {
+  std::string name;
+  bool fitted;
+  std::vector<double> stress;  ///< of the fit, MPa; NaN where the law has no such state
+  int missing;                 ///< number of these
+  double rms;                  ///< MPa
+  double relative;             ///< rms over the rms of the data
+  double largest;              ///< deviation of the largest size, MPa
+  double largest_relative;     ///< the same over the largest stress of the data
+  double largest_at;           ///< its stretch
+  double end_relative;         ///< deviation at the last point over the data there; NaN if it is missing
+};
+
+std::vector<CurveReport> curve_reports(const FitProblem& problem, const std::vector<double>& params);
+
+/// A combination of relative changes of parameters, and its standard deviation.
+struct Combination {
+  std::vector<double> factors;  ///< [n_free], of unit length, of dp_k / scale_k
+  double deviation;             ///< 1: the data leave it open by 100 %
+};
+
+/// What the data say of the parameters, linearised at the result: with J the derivatives of the weighted residuals by
+/// p_k / scale_k, covariance s^2 (J^T J)^-1 by its singular values. s^2 = chi^2 / (points - parameters) corrects the
+/// noise that the data were said to have. Bounds and conditions that are active are not taken into account.
+struct ParameterStatistics {
+  std::vector<double> scale;              ///< [n_free]: |p|, but at least 1e-3 of the interval
+  std::vector<double> deviation;          ///< [n_free], in the parameter's unit; infinite: not determined at all
+  std::vector<double> covariance;         ///< [n_free][n_free] in the parameters' units
+  std::vector<double> correlation;        ///< [n_free][n_free]
+  std::vector<Combination> combinations;  ///< of all singular values, the best determined first
+  std::vector<int> at_bound;              ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
+  double noise;                           ///< s: 1 if the residuals are as large as the noise that was given
+};
+
+/// A combination that varies by more than this is not determined.
+inline constexpr double undetermined = 0.5;
+
+ParameterStatistics parameter_statistics(const FitProblem& problem, const FitResult& result);
+
+/// "0.71 w1_1 - 0.70 w2_1": the parameters with at least a fifth of the largest factor, largest first.
+std::string combination_text(const FitProblem& problem, const Combination& combination);
+
+}  // namespace toile::identify

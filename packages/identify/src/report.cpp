@@ -1,0 +1,104 @@
+#include "toile/identify/report.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace toile::identify {
+namespace {
+
+/// Correlations above this are told.
+constexpr double strong_correlation = 0.95;
+/// Residuals that exceed the stated noise by more than this factor are not noise.
+constexpr double misfit = 1.5;
+
+std::string percent(double part) {
+  std::ostringstream out;
+  out << std::showpos << std::setprecision(3) << 100.0 * part << " %";
+  return out.str();
+}
+
+void write_starts(std::ostream& out, const FitResult& result) {
+  out << "Starts: chi^2 of the search, and after the polish\n";
+  for (std::size_t s = 0; s < result.starts.size(); ++s) {
+    const Start& start = result.starts[s];
+    out << "  seed " << start.seed << ": " << start.searched << ", " << start.polished
+        << (s == result.best ? "  <- the result\n" : "\n");
+  }
+}
+
+void write_curve(std::ostream& out, const CurveReport& r) {
+  out << "  " << r.name << (r.fitted ? " (fitted): " : " (predicted, not fitted): ") << "rms " << r.rms << " MPa, "
+      << 100.0 * r.relative << " % of the data's; largest " << percent(r.largest_relative)
+      << " of the largest stress, at stretch " << r.largest_at;
+  if (std::isfinite(r.end_relative))
+    out << "; at the largest stretch " << std::abs(100.0 * r.end_relative) << " % too "
+        << (r.end_relative < 0.0 ? "low" : "high");
+  if (r.missing > 0) out << "; at " << r.missing << " points the law has no such state";
+  out << "\n";
+}
+
+void write_parameters(std::ostream& out, const FitProblem& problem, const FitResult& result,
+                      const ParameterStatistics& statistics) {
+  out << "Parameters, with their standard deviation\n";
+  for (std::size_t k = 0; k < problem.free().size(); ++k) {
+    const FreeParameter& p = problem.free()[k];
+    const material::ParamInfo& info = problem.law().info[p.index];
+    out << "  " << info.name << " = " << result.params[p.index] << " " << info.unit << (*info.unit ? " " : "") << "+- ";
+    if (std::isfinite(statistics.deviation[k]))
+      out << statistics.deviation[k];
+    else
+      out << "not determined";
+    if (statistics.at_bound[k] != 0) out << ", at its " << (statistics.at_bound[k] < 0 ? "lower" : "upper") << " bound";
+    out << "\n";
+  }
+}
+
+void write_correlations(std::ostream& out, const FitProblem& problem, const ParameterStatistics& statistics) {
+  const std::size_t n = problem.free().size();
+  std::ostringstream pairs;
+  pairs.precision(3);
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const double r = statistics.correlation[a * n + b];
+      if (std::abs(r) > strong_correlation)
+        pairs << "  " << problem.law().info[problem.free()[b].index].name << " and "
+              << problem.law().info[problem.free()[a].index].name << ": " << r << "\n";
+    }
+  out << "Correlations beyond " << strong_correlation << "\n" << (pairs.str().empty() ? "  none\n" : pairs.str());
+}
+
+void write_undetermined(std::ostream& out, const FitProblem& problem, const ParameterStatistics& statistics) {
+  out << "Combinations of relative changes that the data do not determine (within " << 100.0 * undetermined << " %)\n";
+  bool any = false;
+  for (const Combination& combination : statistics.combinations) {
+    if (combination.deviation <= undetermined) continue;
+    any = true;
+    out << "  " << combination_text(problem, combination) << ": ";
+    if (std::isfinite(combination.deviation))
+      out << "open by " << 100.0 * combination.deviation << " %\n";
+    else
+      out << "no curve depends on it\n";
+  }
+  if (!any) out << "  none\n";
+}
+
+}  // namespace
+
+std::string report_text(const FitProblem& problem, const FitResult& result, const std::vector<CurveReport>& curves,
+                        const ParameterStatistics& statistics) {
+  std::ostringstream out;
+  out.precision(4);
+  write_starts(out, result);
+  out << "Curves: fit minus data\n";
+  for (const CurveReport& r : curves) write_curve(out, r);
+  out << "  residuals are " << statistics.noise << " times the noise that the data were said to have"
+      << (statistics.noise > misfit ? ": the law does not follow these curves, and the deviations below are too small\n"
+                                    : "\n");
+  write_parameters(out, problem, result, statistics);
+  write_correlations(out, problem, statistics);
+  write_undetermined(out, problem, statistics);
+  return out.str();
+}
+
+}  // namespace toile::identify

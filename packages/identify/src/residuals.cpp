@@ -1,0 +1,75 @@
+#include "toile/identify/residuals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::identify {
+
+Residuals::Residuals(const FitProblem& problem) : problem_(problem), states_(fitted_points(problem)) {
+  for (const Curve& curve : problem.curves()) {
+    if (curve.weight == 0.0) continue;
+    double largest = 0.0;
+    for (const double value : curve.stress) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < curve.stress.size(); ++i) {
+      if (i > 0) {
+        rise_from_.push_back(static_cast<int>(data_.size()) - 1);
+        rise_scale_.push_back(1.0 / largest);
+      }
+      data_.push_back(curve.stress[i]);
+      factor_.push_back(std::sqrt(curve.weight) / curve.deviation[i]);
+    }
+  }
+  const std::size_t n = data_.size(), n_free = problem.free().size();
+  stress_.resize(n);
+  residual_.resize(n);
+  gradient_.resize(n * static_cast<std::size_t>(problem.law().n_params));
+  jacobian_.resize(n * n_free);
+  rise_.resize(rise_from_.size());
+  rise_jacobian_.resize(rise_from_.size() * n_free);
+}
+
+std::vector<TestPoint> Residuals::fitted_points(const FitProblem& problem) {
+  std::vector<TestPoint> all;
+  for (const Curve& curve : problem.curves()) {
+    if (curve.weight == 0.0) continue;
+    const std::vector<TestPoint> points = curve.points();
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  return all;
+}
+
+double Residuals::finish() {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    residual_[i] = factor_[i] * (stress_[i] - data_[i]);
+    sum += residual_[i] * residual_[i];
+  }
+  for (std::size_t r = 0; r < rise_.size(); ++r)
+    rise_[r] = rise_scale_[r] * (stress_[rise_from_[r] + 1] - stress_[rise_from_[r]]);
+  return std::isfinite(sum) ? std::min(sum, hopeless) : hopeless;
+}
+
+double Residuals::chi_squared(const std::vector<double>& x) {
+  states_.stress(problem_.law(), problem_.params(x).data(), stress_.data());
+  return finish();
+}
+
+double Residuals::chi_squared_and_derivatives(const std::vector<double>& x) {
+  states_.stress_and_gradient(problem_.law(), problem_.params(x).data(), stress_.data(), gradient_.data());
+  const std::vector<double> slopes = problem_.slopes(x);
+  const std::size_t n = data_.size(), n_rises = rise_.size();
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    const double* by_param = gradient_.data() + static_cast<std::size_t>(problem_.free()[k].index) * n;
+    for (std::size_t i = 0; i < n; ++i) jacobian_[k * n + i] = factor_[i] * slopes[k] * by_param[i];
+    for (std::size_t r = 0; r < n_rises; ++r)
+      rise_jacobian_[k * n_rises + r] =
+          rise_scale_[r] * slopes[k] * (by_param[rise_from_[r] + 1] - by_param[rise_from_[r]]);
+  }
+  return finish();
+}
+
+double Residuals::smallest_rise() const {
+  return rise_.empty() ? 0.0 : *std::min_element(rise_.begin(), rise_.end());
+}
+
+}  // namespace toile::identify

@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "base/scene.hpp"
+#include "fabric_tests.hpp"
+
+namespace toile::identify::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<VirtualTest> wale = {{"wale", "uniaxial", 0.0, 2.0}};
+const std::string material = parameter("type", "string", "neo-hookean");
+const std::string mu = free_parameter("C10", 1e-3, 1.0);
+const std::string good_data = "stretch [-], nominal stress [MPa]\n1.1, 0.01\n1.2, 0.02\n1.3, 0.03\n";
+
+/// Message for a fit whose data file holds `text`; without the folder in front of names.
+std::string data_error(const std::string& text, const std::string& extra = "", const std::string& file = "wale.csv") {
+  const FitFolder folder;
+  folder.write("wale.csv", text);
+  folder.write("fit.xml", list("fit", list("Material", list("knit", material)) + list("Free", mu) +
+                                          list("Data", list("wale", parameter("file", "string", file) +
+                                                                        parameter("angle", "double", "0") + extra)) +
+                                          list("Algorithm", "")));
+  const base::List input = folder.read();
+  std::string message = base::test::input_error([&] { FitProblem problem(input); });
+  for (auto at = message.find(folder.path("")); at != std::string::npos; at = message.find(folder.path("")))
+    message.replace(at, folder.path("").size(), "");
+  return message;
+}
+
+/// Message for a fit with these lists and good data.
+std::string fit_error(const std::string& law, const std::string& free, const std::string& constraints = "") {
+  const FitFolder folder;
+  folder.write("wale.csv", good_data);
+  folder.write_fit(law, free, constraints, wale, "");
+  const base::List input = folder.read();
+  return base::test::input_error([&] { FitProblem problem(input); });
+}
+
+// A data file without a column of the load or the elongation: what is there, what would do, with its units.
+TEST(BadData, MissingColumn) {
+  EXPECT_EQ(data_error("stretch [-], load [N]\n1.1, 2\n"),
+            "wale.csv, line 1: no column of the load. Found: \"stretch\", \"load\". One of these is needed: \"nominal "
+            "stress\" [MPa, N/mm^2, kPa, Pa], \"line force\" [N/mm, N/cm, N/m], \"force\" [N, mN, cN, kN]");
+  EXPECT_THAT(data_error("# a test\nforce [N]\n1.1\n"),
+              HasSubstr("wale.csv, line 2: no column of the elongation. Found: \"force\"."));
+}
+
+// A unit that is unknown or not given: column, and the units that are allowed.
+TEST(BadData, Unit) {
+  EXPECT_EQ(data_error("stretch [-], nominal stress [psi]\n1.1, 2\n"),
+            "wale.csv, line 1, column 2 \"nominal stress\": unknown unit \"psi\"; write \"nominal stress [unit]\" with "
+            "one of: MPa, N/mm^2, kPa, Pa");
+  EXPECT_EQ(data_error("strain, nominal stress [MPa]\n0.1, 2\n"),
+            "wale.csv, line 1, column 1 \"strain\": no unit; write \"strain [unit]\" with one of: -, %");
+}
+
+// Two columns of the same meaning are ambiguous.
+TEST(BadData, TwoColumns) {
+  EXPECT_THAT(data_error("stretch [-], force [N], strain [-]\n1.1, 2, 0.1\n"),
+              HasSubstr("wale.csv, line 1, column 3 \"strain\": a second column of the elongation, beside \"stretch\" "
+                        "in column 1"));
+}
+
+// An elongation that does not increase: line, column, both values.
+TEST(BadData, NotMonotone) {
+  EXPECT_THAT(data_error("stretch [-], nominal stress [MPa]\n1.1, 0.1\n\n1.3, 0.2\n1.2, 0.15\n"),
+              HasSubstr("wale.csv, line 5, column 1 \"stretch\": 1.2 is not larger than 1.3 of the row before"));
+}
+
+// A cell that is no finite number, empty, or missing.
+TEST(BadData, NotANumber) {
+  const std::string titles = "stretch [-], nominal stress [MPa]\n1.1, 0.1\n";
+  EXPECT_EQ(data_error(titles + "1.2, nan\n"),
+            "wale.csv, line 3, column 2 \"nominal stress\": \"nan\", expected a finite number");
+  EXPECT_EQ(data_error(titles + "1.2, 0;2\n"),
+            "wale.csv, line 3, column 2 \"nominal stress\": \"0;2\", expected a finite number");
+  EXPECT_EQ(data_error(titles + ", 0.2\n"),
+            "wale.csv, line 3, column 1 \"stretch\": the cell is empty, expected a finite number");
+  EXPECT_EQ(data_error(titles + "1.2\n"), "wale.csv, line 3: 1 cells, but the titles of line 1 are 2");
+}
+
+// Too few rows, no titles, no file, a stretch that is impossible, no load at all.
+TEST(BadData, Contents) {
+  EXPECT_EQ(data_error("stretch [-], nominal stress [MPa]\n1.1, 0.1\n1.2, 0.2\n"),
+            "wale.csv: 2 rows of data, at least 3 are needed");
+  EXPECT_EQ(data_error("# nothing\n"), "wale.csv: the file has no line of titles");
+  EXPECT_THAT(data_error("stretch [-], force [N]\n-1, 2\n1, 2\n2, 3\n", parameter("width", "double", "50")),
+              HasSubstr("wale.csv, line 2, column 1 \"stretch\": -1 is a stretch of zero or less"));
+  EXPECT_EQ(data_error("stretch [-], nominal stress [MPa]\n1, 0\n2, 0\n3, 0\n"), "wale.csv: every load is zero");
+  EXPECT_THAT(data_error(good_data, "", "waile.csv"), HasSubstr("cannot read the data file waile.csv"));
+}
+
+// Forces need the width of the specimen, displacements its gauge length.
+TEST(BadData, Specimen) {
+  EXPECT_THAT(data_error("stretch [-], force [N]\n1.1, 2\n"),
+              HasSubstr("fit > Data > wale: parameter \"width\" = 0 (default): must be given, because the data file "
+                        "holds \"force\""));
+  EXPECT_THAT(data_error("displacement [mm], force [N]\n1.1, 2\n"),
+              HasSubstr("parameter \"gauge length\" = 0 (default): must be given, because the data file holds "
+                        "\"displacement\""));
+}
+
+// Every unit is converted: the same test in strain and kPa, and in displacement and force of a specimen of 50 mm x
+// 20 mm with the material's thickness of 0.5 mm.
+TEST(Data, Conversions) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"strain [%], nominal stress [kPa]\n10, 10\n20, 20\n30, 30\n", ""},
+      {"displacement [cm], force [mN], time [s]\n0.5, 100, 0\n1, 200, 1\n1.5, 300, 2\n",
+       parameter("gauge length", "double", "50") + parameter("width", "double", "20")},
+      {"strain [-], line force [N/m]\n0.1, 5\n0.2, 10\n0.3, 15\n", ""}};
+  for (const auto& [text, extra] : files) {
+    const FitFolder folder;
+    folder.write("wale.csv", text);
+    folder.write("fit.xml",
+                 list("fit", list("Material", list("knit", material + parameter("thickness", "double", "0.5"))) +
+                                 list("Free", mu) +
+                                 list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                               parameter("angle", "double", "90") + extra)) +
+                                 list("Algorithm", "")));
+    const FitProblem problem(folder.read());
+    const Curve& curve = problem.curves()[0];
+    EXPECT_NEAR(curve.angle, std::acos(0.0), 1e-15);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(curve.stretch[i], 1.1 + 0.1 * i, 1e-14) << text;
+      EXPECT_NEAR(curve.stress[i], 0.01 + 0.01 * i, 1e-15) << text;
+    }
+  }
+}
+
+// A free parameter that the material does not have, that is a word, or that has no finite interval.
+TEST(BadFit, FreeParameters) {
+  EXPECT_THAT(fit_error(material, free_parameter("C01", 0.1, 1.0)),
+              HasSubstr("fit > Free > C01: material \"neo-hookean\" has no parameter \"C01\"; did you mean \"C10\"?"));
+  EXPECT_THAT(fit_error(parameter("type", "string", "itskov"), free_parameter("swap axes", 0.0, 1.0)),
+              HasSubstr("fit > Free > swap axes: \"swap axes\" is one of the words false|true; only numbers can be "
+                        "free"));
+  EXPECT_THAT(fit_error(material, list("C10", parameter("lower", "double", "0.1"))),
+              HasSubstr("parameter \"upper\" = inf (default): must be given, because the material does not bound "
+                        "\"C10\": the search needs a finite interval"));
+}
+
+// An interval that the material does not allow, is empty, or cannot be divided logarithmically.
+TEST(BadFit, Intervals) {
+  EXPECT_THAT(fit_error(material, free_parameter("C10", -1.0, 1.0)),
+              HasSubstr("parameter \"lower\" = -1: -1 is outside what the material allows: > 0"));
+  EXPECT_THAT(fit_error(material, free_parameter("C10", 2.0, 1.0)),
+              HasSubstr("parameter \"upper\" = 1: must be larger than \"lower\" = 2"));
+  EXPECT_THAT(fit_error(parameter("type", "string", "rebar"), free_parameter("c0", -1.0, 1.0, true)),
+              HasSubstr("parameter \"scale\" = \"logarithmic\": logarithmic needs a positive \"lower\", which is -1"));
+}
+
+// A parameter that is neither given nor free; conditions on parameters that there are not, or that nothing can meet.
+TEST(BadFit, Conditions) {
+  EXPECT_THAT(fit_error(parameter("type", "string", "itskov"), free_parameter("mu1", 0.1, 1.0)),
+              HasSubstr("must be given, because it is not in \"Free\""));
+  const auto condition = [](const std::string& names) {
+    return list("c", parameter("parameters", "Array(string)", names) + parameter("at most", "double", "0"));
+  };
+  EXPECT_THAT(fit_error(material, mu, condition("{C11}")),
+              HasSubstr("fit > Constraints > c: parameter \"parameters\""));
+  EXPECT_THAT(fit_error(material, mu, condition("{C10}")),
+              HasSubstr("candidates within the bounds meets the conditions of the material and of \"Constraints\""));
+}
+
+}  // namespace
+}  // namespace toile::identify::test
