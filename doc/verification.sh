@@ -6,10 +6,10 @@ build="${1:?usage: doc/verification.sh BUILD-FOLDER}/test/verification"
 out="$(dirname "${BASH_SOURCE[0]}")/verification.md"
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 
-section() {  # title, text, test
+section() {  # title, text, test and its arguments
   printf '\n## %s\n\n%s\n\n```\n' "$1" "$2"
   local start=$SECONDS log
-  log="$("$build/$3")" || { printf '%s\n' "$log" >&2; return 1; }
+  log="$("$build/$3" "${@:4}")" || { printf '%s\n' "$log" >&2; return 1; }
   grep -vE '^(\[|Note|$)' <<<"$log" | sed 's/  rate nan/  rate -/' || true
   printf '```\n\nRun time of `%s`: %d s on one core.\n' "$3" "$((SECONDS - start))"
 }
@@ -29,6 +29,8 @@ section() {  # title, text, test
     contact_leg_test
   section "Cook's membrane" "Uniform meshes converge with the rate of the corner's singularity (1.248), graded ones with second order." plane_cook_test
   section "Clamped strips" "Uniform meshes and meshes graded to the corners, wale at 0, 45 and 90 degrees to the pull." plane_strip_test
+  section "Tension field in shear" "A wide clamped strip of neo-Hookean fabric in shear, relaxed energy against the semi-analytic tension field (test/data/plane_stress/tension_field_shear_nh.csv)." \
+    ../material/material_tests --gtest_filter=TensionField.sheared_strip
   section "Annulus in torsion" "Tension field of a sheet whose hub is turned in its plane (input/benchmarks/annulus-torsion.xml): torque of the relaxed and of the unwrinkled sheet against an axisymmetric solution, rates, how far the wrinkles reach, straight lines of tension, and the closed form of Stein and Hedgepeth (1961) at small angles." annulus_torsion_test
   section "Shells in large rotations" "Scenes of input/benchmarks against Sze, Liu and Lo (2004): S4R elements on the same meshes." shell_benchmark_test
   section "Sleeve of shells on its inner face" "Pressure away from ends and seam against that of a plane-stress shell, 0.72967 kPa; the tube of finite thickness has 0.73131 kPa: the model's error is -0.22 %." shell_sleeve_test
