@@ -117,6 +117,19 @@ TEST(BrokenLaws, FiniteNumbers) {
   EXPECT_EQ(numbers(faulty<numbers_in_refused>()), Verdict::fails);
 }
 
+// A run would not notice an inadmissible point that the law marks but does not count.
+TEST(BrokenLaws, CountOfInadmissiblePoints) {
+  material::MaterialV1 law = *faulty<nothing>().law;
+  law.evaluate = [](const void* context, int n, const double* C, const double* params, int stride, double* W, double* S,
+                    double* D, double* h, double* dSdp, std::uint8_t* status) {
+    evaluate<nothing>(context, n, C, params, stride, W, S, D, h, dSdp, status);
+    return 0;
+  };
+  const Finding result = finite_numbers({"faulty", &law, {}}, coarse());
+  EXPECT_EQ(result.verdict, Verdict::fails);
+  EXPECT_THAT(result.text, ::testing::HasSubstr("counts 0 points that are not admissible, and marks "));
+}
+
 // A law that is sheared more easily to one side than to the other is no orthotropic one, a fibre is no isotropic one.
 TEST(BrokenLaws, MaterialSymmetry) {
   EXPECT_EQ(slopes(faulty<skewed>()), Verdict::holds);

@@ -72,12 +72,16 @@ Finding natural_state(const Fabric& fabric) {
 Finding finite_numbers(const Fabric& fabric, const Request& request) {
   std::vector<Strain> strains = extreme_states();
   for (const Strain& C : random_states(request, 4000)) strains.push_back(C);
-  int refused = 0;
-  for (const State& s : fabric.evaluate(strains)) {
+  int refused = 0, counted = 0;
+  for (const State& s : fabric.evaluate(strains, &counted)) {
     const bool clean = s.admissible() ? s.finite() : all_nan(s);
     if (!clean) return judged(name::finite, false, "not finite, and no status says so, at " + place(s.C));
     refused += s.admissible() ? 0 : 1;
   }
+  if (counted != refused)
+    return judged(name::finite, false,
+                  "the law counts " + std::to_string(counted) + " points that are not admissible, and marks " +
+                      std::to_string(refused));
   return judged(name::finite, true,
                 std::to_string(strains.size()) + " states, stretch 0.3 to 5, shear to 3 and the box; " +
                     std::to_string(refused) + " refused");

@@ -36,8 +36,8 @@ struct Fabric {
   const material::MaterialV1* law;
   std::vector<double> params;  ///< [n_params]
 
-  /// One batch. Throws base::Error (internal) if the law does not count its inadmissible points as it marks them.
-  std::vector<State> evaluate(const std::vector<Strain>& strains) const;
+  /// One batch. `counted`: how many points the law says are not admissible.
+  std::vector<State> evaluate(const std::vector<Strain>& strains, int* counted = nullptr) const;
   State evaluate(const Strain& strain) const { return evaluate(std::vector<Strain>{strain}).front(); }
 };
 
