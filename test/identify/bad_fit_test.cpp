@@ -4,6 +4,7 @@
 
 #include "base/scene.hpp"
 #include "fabric_tests.hpp"
+#include "toile/identify/residuals.hpp"
 
 namespace toile::identify::test {
 namespace {
@@ -163,6 +164,34 @@ TEST(BadFit, Conditions) {
               HasSubstr("fit > Constraints > c: parameter \"parameters\""));
   EXPECT_THAT(fit_error(material, mu, condition("{C10}")),
               HasSubstr("candidates within the bounds meets the conditions of the material and of \"Constraints\""));
+}
+
+// The genetic algorithm pairs its candidates: an odd number is refused.
+TEST(BadFit, OddPopulation) {
+  const FitFolder folder;
+  folder.write("wale.csv", good_data);
+  const std::string genetic = parameter("search", "string", "genetic algorithm");
+  folder.write_fit(material, mu, "", wale, genetic + parameter("population", "int", "31"));
+  const base::List input = folder.read();
+  EXPECT_THAT(base::test::input_error([&] { Algorithm algorithm(input.list("Algorithm")); }),
+              HasSubstr("fit > Algorithm: parameter \"population\" = 31: must be even"));
+}
+
+// A value that the material gives for a free parameter is a candidate of either search.
+TEST(Fit, TakesTheGivenValue) {
+  for (const std::string search : {"differential evolution", "genetic algorithm"}) {
+    const FitFolder folder;
+    folder.write("wale.csv", good_data);
+    folder.write_fit(material + parameter("C10", "double", "0.0123"), mu, "", wale,
+                     parameter("search", "string", search) + parameter("starts", "int", "1") +
+                         parameter("generations", "int", "10"));
+    const base::List input = folder.read();
+    const FitProblem problem(input);
+    EXPECT_NEAR(problem.params(problem.first_candidate())[0], 0.0123, 1e-15);
+    const FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](double, double) {});
+    Residuals residuals(problem);
+    EXPECT_LE(result.chi_squared, residuals.chi_squared(problem.first_candidate())) << search;
+  }
 }
 
 }  // namespace

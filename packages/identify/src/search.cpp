@@ -45,7 +45,8 @@ std::vector<double> search(const FitProblem& problem, Residuals& residuals, cons
                            const SearchProgress& progress) {
   pagmo::population population(pagmo::problem(UserProblem{&problem, &residuals}),
                                static_cast<std::size_t>(settings.population), seed);
-  if (const std::vector<double> first = problem.first_candidate(); !first.empty()) population.push_back(first);
+  // In the place of another one: sga pairs its candidates, so their number stays even.
+  if (const std::vector<double> first = problem.first_candidate(); !first.empty()) population.set_x(0, first);
   const auto generations = static_cast<unsigned>(settings.generations);
   pagmo::algorithm algorithm = algorithm_of(settings, stride, seed);
   for (unsigned done = 0; done < generations;) {

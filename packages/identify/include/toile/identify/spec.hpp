@@ -14,6 +14,7 @@ struct Algorithm {
   unsigned seed = 1;
   bool polish = true;
 
+  /// `list` follows fit_spec(). Throws InputError if the genetic algorithm gets an odd population.
   explicit Algorithm(const base::List& list);
 };
 
