@@ -13,8 +13,8 @@ namespace toile::test {
 inline material::Material limp_fabric() {
   static const material::MaterialV1 limp = [] {
     material::MaterialV1 law = *material::find("neo-hookean");
-    law.evaluate = [](int n, const double*, const double*, int, double* W, double* S, double* D, double* stretch,
-                      double*, std::uint8_t* status) {
+    law.evaluate = [](const void*, int n, const double*, const double*, int, double* W, double* S, double* D,
+                      double* stretch, double*, std::uint8_t* status) {
       std::fill_n(W, n, 0.0);
       if (S != nullptr) std::fill_n(S, 3 * n, 0.0);
       if (D != nullptr) std::fill_n(D, 6 * n, 0.0);
