@@ -131,6 +131,7 @@ result::Plot curve_plot(const std::string& title, const std::vector<Curve>& curv
   plot.title = title;
   plot.x_label = "stretch";
   plot.y_label = "nominal stress (MPa)";
+  plot.legend_below = true;
   double largest = 0.0;
   for (const Curve& curve : curves)
     largest = std::max(largest, *std::max_element(curve.stress.begin(), curve.stress.end()));
@@ -145,6 +146,7 @@ result::Plot curve_plot(const std::string& title, const std::vector<Curve>& curv
     // A prediction that leaves the data far behind would hide all the others.
     for (double& y : fit.y)
       if (std::abs(y) > 2.0 * largest) y = std::numeric_limits<double>::quiet_NaN();
+    data.colour = fit.colour = static_cast<int>(c) + 1;
     plot.series.push_back(data);
     plot.series.push_back(fit);
   }

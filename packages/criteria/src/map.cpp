@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "constants.hpp"
 #include "toile/material/ellipticity.hpp"
 
 namespace toile::criteria {
 namespace {
 
-constexpr double rounding = 1e-9;
-const double pi = std::acos(-1.0);
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Unit vectors along the principal stretches; the axes where C12 = 0.

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include "constants.hpp"
 #include "random_states.hpp"
 
 namespace toile::criteria {
 namespace {
-
-constexpr double rounding = 1e-9;
 
 Finding judged(const char* criterion, bool holds, const std::string& text) {
   return {criterion, holds ? Verdict::holds : Verdict::fails, text};

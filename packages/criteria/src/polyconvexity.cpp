@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "constants.hpp"
 #include "random_states.hpp"
 
 namespace toile::criteria {
 namespace {
 
 constexpr int turns = 12;
-const double pi = std::acos(-1.0);
 
 using Gradient = std::array<double, 4>;  // F11, F12, F21, F22
 
