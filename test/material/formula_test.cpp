@@ -6,22 +6,13 @@
 
 #include "derivatives.hpp"
 #include "formulas.hpp"
+#include "input_error.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::material::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-template <class Action>
-std::string input_error(const Action& action) {
-  try {
-    action();
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 FormulaParameter number(const std::string& name) {
   return {name, "", "", 1.0, -1e3, 1e3};

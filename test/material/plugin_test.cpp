@@ -4,6 +4,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include "input_error.hpp"
 #include "toile/base/error.hpp"
 #include "toile/material/lane.hpp"
 
@@ -35,16 +36,6 @@ std::string fabric(const std::string& name, const std::string& line) {
 }
 
 const std::string good_line = "return p[0] * (c.C11 + c.C22 + c.C33 - 3.0);";
-
-template <class Action>
-std::string input_error(const Action& action) {
-  try {
-    action();
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 /// A plug-in from C++ that need not hold a fabric.
 std::string build(const Folder& folder, const std::string& name, const std::string& text) {
