@@ -109,4 +109,59 @@ inline Point itskov(double c11, double c22, double c12, const double* params) {
   return p;
 }
 
+inline Point isotropic_elastic(double c11, double c22, double c12, const double* params) {
+  const double nu = params[1], modulus = 0.5 * params[0] / (1.0 - nu * nu), shear = (1.0 - nu) * modulus;
+  const double E11 = 0.5 * (c11 - 1.0), E22 = 0.5 * (c22 - 1.0), E12 = 0.5 * c12, sum = E11 + E22;
+  return {modulus * sum * sum + 2.0 * shear * (E12 * E12 - E11 * E22),
+          {2.0 * (modulus * sum - shear * E22), 2.0 * (modulus * sum - shear * E11), 2.0 * shear * E12},
+          {2.0 * modulus, 2.0 * modulus, shear, 2.0 * (modulus - shear), 0.0, 0.0}};
+}
+
+/// atanh(sqrt(q))^2 and its first two derivatives; near q = 0, where the closed form cancels, by the series of
+/// atanh(s)/s.
+inline std::array<double, 3> squared_atanh_of_root(double q) {
+  if (q < 0.1) {
+    double r = 0.0, slope = 0.0, half_curvature = 0.0;
+    for (int k = 18; k >= 0; --k) {
+      half_curvature = half_curvature * q + slope;
+      slope = slope * q + r;
+      r = r * q + 1.0 / (2.0 * k + 1.0);
+    }
+    const double square = r * r, square_slope = 2.0 * r * slope;
+    return {q * square, square + q * square_slope,
+            2.0 * square_slope + q * (2.0 * slope * slope + 4.0 * r * half_curvature)};
+  }
+  const double s = std::sqrt(q), A = 0.5 * std::log((1.0 + s) / (1.0 - s)), rest = 1.0 - q;
+  return {A * A, A / (s * rest), 0.5 * (1.0 - A * (1.0 - 3.0 * q) / s) / (q * rest * rest)};
+}
+
+inline Point hencky(double c11, double c22, double c12, const double* params) {
+  const Determinant det(c11, c22, c12);
+  const double nu = params[1], quarter = 0.25 * params[0];
+  const double of_sum = 0.25 * quarter / (1.0 - nu), of_difference = quarter / (1.0 + nu);
+  const double over_trace = 1.0 / (c11 + c22), difference = c11 - c22;
+  const double square = difference * difference + 4.0 * c12 * c12;
+  const double twice_sum = std::log(det.value), by_trace = over_trace * over_trace, q = square * by_trace;
+  const std::array<double, 3> f = squared_atanh_of_root(q);
+
+  Point p = {of_sum * twice_sum * twice_sum + of_difference * f[0], {}, {}};
+  const double by_det = 2.0 * of_sum * twice_sum * det.C33;
+  add(p, by_det, (2.0 * of_sum - 2.0 * of_sum * twice_sum) * det.C33 * det.C33, det.gradient);
+  p.D[2] -= 2.0 * by_det;
+  p.D[3] += 4.0 * by_det;
+
+  const std::array<double, 3> of_square = {4.0 * difference, -4.0 * difference, 8.0 * c12};
+  const double trace_slope = -4.0 * q * over_trace;
+  add(p, of_difference * f[1], of_difference * f[2],
+      {of_square[0] * by_trace + trace_slope, of_square[1] * by_trace + trace_slope, of_square[2] * by_trace});
+  const double factor = of_difference * f[1] * by_trace, mixed = -4.0 * factor * over_trace, twice = 24.0 * factor * q;
+  p.D[0] += 8.0 * factor + 2.0 * mixed * of_square[0] + twice;
+  p.D[1] += 8.0 * factor + 2.0 * mixed * of_square[1] + twice;
+  p.D[2] += 8.0 * factor;
+  p.D[3] += -8.0 * factor + mixed * (of_square[0] + of_square[1]) + twice;
+  p.D[4] += mixed * of_square[2];
+  p.D[5] += mixed * of_square[2];
+  return p;
+}
+
 }  // namespace toile::benchmarks

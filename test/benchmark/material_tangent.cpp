@@ -16,7 +16,7 @@
 
 // Energy, stress and tangent of a batch of 256 points: the registered material, the same as a formula, hand-written
 // code, plain nested Fad, and the nested Fad with our power() and log() on one number at a time. Ends with status 1 if
-// a registered material costs more than three times its hand-written twin.
+// a registered material costs more than 1.5 times its hand-written twin.
 namespace {
 
 using namespace toile::material;
@@ -40,8 +40,10 @@ struct Batch {
   }
 };
 
-const double* pantyhose(const MaterialV1& law) {
-  return law.sets[0].values;
+/// Those of the pantyhose, or of a law without published sets Young's modulus 1 MPa and Poisson's ratio 0.3.
+const double* params_of(const MaterialV1& law) {
+  static const double isotropic[] = {1.0, 0.3};
+  return law.n_sets > 0 ? law.sets[0].values : isotropic;
 }
 
 void report(benchmark::State& state) {
@@ -53,7 +55,7 @@ void registered(benchmark::State& state, const char* name) {
   const MaterialV1& law = *find(name);
   Batch b;
   for (auto _ : state) {
-    law.evaluate(law.context, n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+    law.evaluate(law.context, n, b.C.data(), params_of(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
                  b.status.data());
     benchmark::ClobberMemory();
   }
@@ -63,7 +65,7 @@ void registered(benchmark::State& state, const char* name) {
 /// The numbers that are compared are the same numbers: stops the benchmark if hand-written and registered differ.
 void require_agreement(const Batch& a, const MaterialV1& law) {
   Batch b;
-  law.evaluate(law.context, n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
+  law.evaluate(law.context, n, b.C.data(), params_of(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
                b.status.data());
   double error = 0.0, scale = 0.0;
   for (int i = 0; i < 6 * n; ++i) {
@@ -84,7 +86,7 @@ void formula(benchmark::State& state, const char* name, int n_params, const std:
   const Laws::Law typed = test::formula_like(name, n_params, energy);
   Batch b;
   for (auto _ : state) {
-    typed->evaluate(typed->context, n, b.C.data(), pantyhose(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(),
+    typed->evaluate(typed->context, n, b.C.data(), params_of(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(),
                     nullptr, b.status.data());
     benchmark::ClobberMemory();
   }
@@ -109,7 +111,7 @@ void by_hand(benchmark::State& state, const char* name) {
   const MaterialV1& law = *find(name);
   Batch b;
   for (auto _ : state) {
-    hand_written<function>(b, pantyhose(law));
+    hand_written<function>(b, params_of(law));
     benchmark::ClobberMemory();
   }
   require_agreement(b, law);
@@ -118,7 +120,7 @@ void by_hand(benchmark::State& state, const char* name) {
 
 template <class Law, class T>
 void nested(benchmark::State& state) {
-  const double* params = pantyhose(*find(Law::name));
+  const double* params = params_of(*find(Law::name));
   using Inner = std::decay_t<decltype(T().val())>;
   Batch b;
   for (auto _ : state) {
@@ -142,6 +144,8 @@ void nested(benchmark::State& state) {
 constexpr auto by_hand_neo_hookean = by_hand<hand::neo_hookean>;
 constexpr auto by_hand_rebar = by_hand<hand::rebar>;
 constexpr auto by_hand_itskov = by_hand<hand::itskov>;
+constexpr auto by_hand_hencky = by_hand<hand::hencky>;
+constexpr auto by_hand_isotropic_elastic = by_hand<hand::isotropic_elastic>;
 
 BENCHMARK_CAPTURE(registered, neo_hookean, "neo-hookean")->Name("registered/neo-hookean");
 BENCHMARK_CAPTURE(formula, neo_hookean, "neo-hookean", 1, test::neo_hookean_formula)->Name("formula/neo-hookean");
@@ -158,6 +162,11 @@ BENCHMARK_CAPTURE(formula, itskov, "itskov", 15, test::itskov_formula());
 BENCHMARK_CAPTURE(by_hand_itskov, itskov, "itskov")->Name("by_hand/itskov");
 BENCHMARK_TEMPLATE(nested, itskov::Law, PlainHessian)->Name("plain_nested_fad/itskov");
 BENCHMARK_TEMPLATE(nested, itskov::Law, Fad<Fad<double, 3>, 3>)->Name("nested_fad_with_power/itskov");
+
+BENCHMARK_CAPTURE(registered, hencky, "hencky");
+BENCHMARK_CAPTURE(by_hand_hencky, hencky, "hencky")->Name("by_hand/hencky");
+BENCHMARK_CAPTURE(registered, isotropic_elastic, "isotropic-elastic")->Name("registered/isotropic-elastic");
+BENCHMARK_CAPTURE(by_hand_isotropic_elastic, isotropic_elastic, "isotropic-elastic")->Name("by_hand/isotropic-elastic");
 
 /// Prints as usual and keeps the least time of each benchmark: other work on the machine only adds to it.
 class Times : public benchmark::ConsoleReporter {
@@ -198,5 +207,5 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   Times times;
   benchmark::RunSpecifiedBenchmarks(&times);
-  return costs_at_most(3.0, times) ? 0 : 1;
+  return costs_at_most(1.5, times) ? 0 : 1;
 }

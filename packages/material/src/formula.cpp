@@ -72,11 +72,11 @@ int evaluate(const void* context, int n, const double* C, const double* params, 
         values[k] = Lane::load(params + static_cast<long>(k) * n + first, block.count);
       formula::run_uniform(program, values);
     }
+    const Lane* p = values;
     const LaneMask extrapolated =
-        D ? detail::evaluate_block<detail::Hessian>(bound, n, block, static_cast<const Lane*>(values), W, S, D)
-          : detail::evaluate_block<detail::Gradient>(bound, n, block, static_cast<const Lane*>(values), W, S, nullptr);
+        D ? detail::evaluate_block<detail::Hessian>(bound, n, block, p, W, S, D, thickness_stretch)
+          : detail::evaluate_block<detail::Gradient>(bound, n, block, p, W, S, nullptr, thickness_stretch);
     if (dSdp) evaluate_sensitivity(program, n, block, values, dSdp);
-    detail::store(block, 1.0 / sqrt(block.C[0] * block.C[1] - block.C[2] * block.C[2]), thickness_stretch);
     bad += detail::store_status(block, extrapolated, status);
   }
   return bad;

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "toile/material/lane.hpp"
+#include "toile/material/second_order.hpp"
 
 namespace Sacado {
 // Number literals in an energy stay plain doubles; they are not widened to a Fad with zero derivatives.
@@ -32,6 +33,11 @@ struct Base<Fad<S, N>> {
   using type = typename Base<S>::type;
   static constexpr int level = Base<S>::level + 1;
 };
+template <class S>
+struct Base<SecondOrder<S>> {
+  using type = S;
+  static constexpr int level = 2;
+};
 template <class T>
 using base_type = typename Base<T>::type;
 
@@ -53,6 +59,10 @@ template <class S, int N>
 base_type<S> base_value(const Fad<S, N>& x) {
   return base_value(x.val());
 }
+template <class S>
+S base_value(const SecondOrder<S>& x) {
+  return x.value;
+}
 
 /// less(x, bound): the comparison of the values, as the condition of where().
 inline bool less(double a, double b) {
@@ -61,6 +71,10 @@ inline bool less(double a, double b) {
 template <class S, int N>
 auto less(const Fad<S, N>& a, const same_type<Fad<S, N>>& b) {
   return less(base_value(a), base_value(b));
+}
+template <class S>
+auto less(const SecondOrder<S>& a, const same_type<SecondOrder<S>>& b) {
+  return less(a.value, b.value);
 }
 template <class T>
 using mask_type = decltype(less(std::declval<T>(), std::declval<T>()));
@@ -76,6 +90,14 @@ Fad<S, N> where(const mask_type<S>& condition, const Fad<S, N>& yes, const same_
   result.val() = where(condition, yes.val(), no.val());
   for (int i = 0; i < N; ++i) result.fastAccessDx(i) = where(condition, yes.fastAccessDx(i), no.fastAccessDx(i));
   return result;
+}
+template <class S>
+SecondOrder<S> where(const mask_type<S>& condition, const SecondOrder<S>& yes, const same_type<SecondOrder<S>>& no) {
+  const auto either = [&](const S& a, const S& b) { return where(condition, a, b); };
+  return {either(yes.value, no.value),
+          {either(yes.d1, no.d1), either(yes.d2, no.d2), either(yes.d3, no.d3)},
+          {either(yes.d11, no.d11), either(yes.d22, no.d22), either(yes.d33, no.d33), either(yes.d12, no.d12),
+           either(yes.d13, no.d13), either(yes.d23, no.d23)}};
 }
 
 /// f(x) by the chain rule from the base values f[k] = d^k f/dx^k at x: each is evaluated once, however deep the
@@ -98,35 +120,45 @@ Fad<S, N> chain(const Fad<S, N>& x, const std::array<base_type<S>, K>& f, int or
   return result;
 }
 
+template <class T>
+struct IsVariable : std::false_type {};
+template <class S, int N>
+struct IsVariable<Fad<S, N>> : std::true_type {};
+template <class S>
+struct IsVariable<SecondOrder<S>> : std::true_type {};
+/// T, for the types whose functions are chained below.
+template <class T>
+using variable = std::enable_if_t<IsVariable<T>::value, T>;
+
 inline double reciprocal(double x) {
   return 1.0 / x;
 }
 inline Lane reciprocal(Lane x) {
   return 1.0 / x;
 }
-template <class S, int N>
-Fad<S, N> reciprocal(const Fad<S, N>& x) {
-  const base_type<S> r = 1.0 / base_value(x);
-  return chain(x, std::array<base_type<S>, 3>{r, -r * r, 2.0 * r * r * r});
+template <class T>
+variable<T> reciprocal(const T& x) {
+  const base_type<T> r = 1.0 / base_value(x);
+  return chain(x, std::array<base_type<T>, 3>{r, -r * r, 2.0 * r * r * r});
 }
 
 inline double log(double x) {
   return std::log(x);
 }
-template <class S, int N>
-Fad<S, N> log(const Fad<S, N>& x) {
-  const base_type<S> value = base_value(x);
-  const base_type<S> r = 1.0 / value;
-  return chain(x, std::array<base_type<S>, 3>{log(value), r, -r * r});
+template <class T>
+variable<T> log(const T& x) {
+  const base_type<T> value = base_value(x);
+  const base_type<T> r = 1.0 / value;
+  return chain(x, std::array<base_type<T>, 3>{log(value), r, -r * r});
 }
 
 inline double exp(double x) {
   return std::exp(x);
 }
-template <class S, int N>
-Fad<S, N> exp(const Fad<S, N>& x) {
-  const base_type<S> value = exp(base_value(x));
-  return chain(x, std::array<base_type<S>, 3>{value, value, value});
+template <class T>
+variable<T> exp(const T& x) {
+  const base_type<T> value = exp(base_value(x));
+  return chain(x, std::array<base_type<T>, 3>{value, value, value});
 }
 
 inline double sin(double x) {
@@ -135,26 +167,26 @@ inline double sin(double x) {
 inline double cos(double x) {
   return std::cos(x);
 }
-template <class S, int N>
-Fad<S, N> sin(const Fad<S, N>& x) {
-  const base_type<S> s = sin(base_value(x)), c = cos(base_value(x));
-  return chain(x, std::array<base_type<S>, 3>{s, c, -s});
+template <class T>
+variable<T> sin(const T& x) {
+  const base_type<T> s = sin(base_value(x)), c = cos(base_value(x));
+  return chain(x, std::array<base_type<T>, 3>{s, c, -s});
 }
-template <class S, int N>
-Fad<S, N> cos(const Fad<S, N>& x) {
-  const base_type<S> s = sin(base_value(x)), c = cos(base_value(x));
-  return chain(x, std::array<base_type<S>, 3>{c, -s, -c});
+template <class T>
+variable<T> cos(const T& x) {
+  const base_type<T> s = sin(base_value(x)), c = cos(base_value(x));
+  return chain(x, std::array<base_type<T>, 3>{c, -s, -c});
 }
 
 inline double sqrt(double x) {
   return std::sqrt(x);
 }
-template <class S, int N>
-Fad<S, N> sqrt(const Fad<S, N>& x) {
-  const base_type<S> value = base_value(x);
-  const base_type<S> root = sqrt(value);
-  const base_type<S> slope = 0.5 / root;
-  return chain(x, std::array<base_type<S>, 3>{root, slope, -0.5 * slope / value});
+template <class T>
+variable<T> sqrt(const T& x) {
+  const base_type<T> value = base_value(x);
+  const base_type<T> root = sqrt(value);
+  const base_type<T> slope = 0.5 / root;
+  return chain(x, std::array<base_type<T>, 3>{root, slope, -0.5 * slope / value});
 }
 
 /// power(x, a) = x^a for x > 0. The exponent is a number or a parameter.
@@ -164,9 +196,9 @@ inline double power(double x, double a) {
 inline Lane power(Lane x, Lane a) {
   return pow(x, a);
 }
-template <class S, int N>
-Fad<S, N> power(const Fad<S, N>& x, const base_type<Fad<S, N>>& a) {
-  using B = base_type<S>;
+template <class T>
+variable<T> power(const T& x, const base_type<T>& a) {
+  using B = base_type<T>;
   const B value = base_value(x);
   const B p = power(value, B(a - 2.0));
   return chain(x, std::array<B, 3>{p * value * value, a * p * value, a * (a - 1.0) * p});
@@ -198,16 +230,16 @@ template <class P, class F>
 double along(double x, const F& f) {
   return f(x);
 }
-template <class P, class S, int N, class F>
-Fad<S, N> along(const Fad<S, N>& x, const F& f) {
-  if constexpr (std::is_same_v<S, P>) {
-    const Fad<S, 1> value = f(Fad<S, 1>(1, 0, x.val()));
-    Fad<S, N> result;
+template <class P, class T, class F>
+variable<T> along(const T& x, const F& f) {
+  if constexpr (Base<T>::level == Base<P>::level + 1) {
+    const Fad<P, 1> value = f(Fad<P, 1>(1, 0, x.val()));
+    T result;
     result.val() = value.val();
-    for (int i = 0; i < N; ++i) result.fastAccessDx(i) = value.fastAccessDx(0) * x.fastAccessDx(i);
+    for (int i = 0; i < x.size(); ++i) result.fastAccessDx(i) = value.fastAccessDx(0) * x.fastAccessDx(i);
     return result;
   } else {
-    using B = base_type<S>;
+    using B = base_type<T>;
     Fad<Fad<B, 1>, 1> u(1, 0, Fad<B, 1>(1, 0, base_value(x)));
     u.fastAccessDx(0) = Fad<B, 1>(1.0);
     u = f(u);

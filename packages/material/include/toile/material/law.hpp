@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 
 #include "toile/material/differentiate.hpp"
@@ -28,8 +29,10 @@ struct PlaneC {
   T det;  ///< C11 C22 - C12^2: of the in-plane part
   T C33;
 
-  PlaneC(const T& c11, const T& c22, const T& c12)
-      : C11(c11), C22(c22), C12(c12), det(c11 * c22 - c12 * c12), C33(reciprocal(det)) {}
+  PlaneC(const T& c11, const T& c22, const T& c12) : PlaneC(c11, c22, c12, c11 * c22 - c12 * c12) {}
+  /// `determinant`: c11 c22 - c12^2, for one who knows its derivatives.
+  PlaneC(const T& c11, const T& c22, const T& c12, const T& determinant)
+      : C11(c11), C22(c22), C12(c12), det(determinant), C33(reciprocal(det)) {}
 
   /// Entries of cof C = C^-1 (det C = 1).
   T cof11() const { return C22 * C33; }
@@ -67,7 +70,7 @@ inline constexpr double stretch_floor = 0.05;
 namespace detail {
 
 using Gradient = Fad<Lane, 3>;
-using Hessian = Fad<Fad<Lane, 3>, 3>;
+using Hessian = SecondOrder<Lane>;
 
 /// Points first..first+count-1 of a batch in lanes; unused lanes repeat the last point, lanes that are not admissible
 /// hold the natural state.
@@ -101,60 +104,85 @@ inline void store(const Block& block, Lane value, double* out) {
   where(block.admissible, value, std::numeric_limits<double>::quiet_NaN()).store(out + block.first, block.count);
 }
 
+/// C as the variables of differentiation. The determinant gets its derivatives from their closed form: by the product
+/// rule they cost more than all the rest of a short energy, mostly multiplications by zero.
 template <class T>
 PlaneC<T> seeded(const std::array<Lane, 3>& C) {
-  std::array<T, 3> c;
-  for (int a = 0; a < 3; ++a) {
-    if constexpr (Base<T>::level == 2) {
-      c[a] = T(3, a, Gradient(3, a, C[a]));
-      c[a].fastAccessDx(a) = Gradient(1.0);
-    } else {
-      c[a] = T(3, a, C[a]);
-    }
+  const Lane det = C[0] * C[1] - C[2] * C[2];
+  const std::array<Lane, 3> slope = {C[1], C[0], -2.0 * C[2]};
+  if constexpr (std::is_same_v<T, Hessian>) {
+    return {{C[0], {1.0, 0.0, 0.0}, {}},
+            {C[1], {0.0, 1.0, 0.0}, {}},
+            {C[2], {0.0, 0.0, 1.0}, {}},
+            {det, slope, {0.0, 0.0, -2.0, 1.0, 0.0, 0.0}}};
+  } else {
+    T determinant = det;
+    for (int a = 0; a < 3; ++a) determinant.fastAccessDx(a) = slope[a];
+    return {T(3, 0, C[0]), T(3, 1, C[1]), T(3, 2, C[2]), determinant};
   }
-  return PlaneC<T>(c[0], c[1], c[2]);
-}
-
-/// Where the value and all derivatives are numbers (neither infinite nor NaN).
-inline LaneMask finite(Lane x) {
-  return less_equal(x - x, 0.0);
-}
-template <class S, int N>
-LaneMask finite(const Fad<S, N>& x) {
-  LaneMask all = finite(x.val());
-  for (int i = 0; i < N; ++i) all = all & finite(x.fastAccessDx(i));
-  return all;
 }
 
 /// E = (C11/2, C22/2, C12), so d/dE = factor d/dC.
 inline constexpr std::array<double, 3> strain_factor = {2.0, 2.0, 1.0};
 
-/// W, S and (with T = Hessian) D of one block; a point where one of them is not finite (an exponential that overflows)
-/// becomes not admissible. Returns where the law is continued.
+/// What of an energy W and its derivatives is written, and zero where all of it is finite, else NaN.
+inline Lane zero_if_finite(const Gradient& W) {
+  return 0.0 * W.val() + 0.0 * W.fastAccessDx(0) + 0.0 * W.fastAccessDx(1) + 0.0 * W.fastAccessDx(2);
+}
+inline Lane zero_if_finite(const Hessian& W) {
+  return (0.0 * W.value + 0.0 * W.d1 + 0.0 * W.d2 + 0.0 * W.d3) + (0.0 * W.d11 + 0.0 * W.d22 + 0.0 * W.d33) +
+         (0.0 * W.d12 + 0.0 * W.d13 + 0.0 * W.d23);
+}
+inline void store_derivatives(const Block& block, long n, const Gradient& W, double* S, double*) {
+  store(block, 2.0 * W.fastAccessDx(0), S);
+  store(block, 2.0 * W.fastAccessDx(1), S + n);
+  store(block, W.fastAccessDx(2), S + 2 * n);
+}
+inline void store_derivatives(const Block& block, long n, const Hessian& W, double* S, double* D) {
+  store(block, 2.0 * W.d1, S);
+  store(block, 2.0 * W.d2, S + n);
+  store(block, W.d3, S + 2 * n);
+  store(block, 4.0 * W.d11, D);
+  store(block, 4.0 * W.d22, D + n);
+  store(block, W.d33, D + 2 * n);
+  store(block, 4.0 * W.d12, D + 3 * n);
+  store(block, 2.0 * W.d13, D + 4 * n);
+  store(block, 2.0 * W.d23, D + 5 * n);
+}
+
+template <class Law, class = void>
+struct Thickness {
+  template <class T, class P>
+  static Lane stretch(const PlaneC<T>& c, const P&) {
+    return sqrt(base_value(c.C33));
+  }
+};
+template <class Law>
+struct Thickness<Law, std::void_t<decltype(&Law::template thickness_stretch<Lane, Lane>)>> {
+  template <class T, class P>
+  static Lane stretch(const PlaneC<T>& c, const P& params) {
+    return Law::thickness_stretch(PlaneC<Lane>(base_value(c.C11), base_value(c.C22), base_value(c.C12)), params);
+  }
+};
+
+/// W, S, (with T = Hessian) D and the thickness stretch of one block; a point where one of W, S and D is not finite (an
+/// exponential that overflows) becomes not admissible. Returns where the law is continued.
 template <class T, class Law, class P>
-[[gnu::flatten]] LaneMask evaluate_block(const Law& law, int n, Block& block, const P& params, double* W, double* S,
-                                         double* D) {
+[[gnu::always_inline]] inline LaneMask evaluate_block(const Law& law, int n, Block& block, const P& params, double* W,
+                                                      double* S, double* D, double* thickness_stretch) {
   const PlaneC<T> c = seeded<T>(block.C);
   const T energy = law.energy(c, params);
-  block.admissible = block.admissible & finite(energy);
+  block.admissible = block.admissible & less_equal(zero_if_finite(energy), 0.0);
   store(block, base_value(energy), W);
-  for (int a = 0; a < 3; ++a)
-    store(block, strain_factor[a] * base_value(energy.fastAccessDx(a)), S + static_cast<long>(a) * n);
-  if constexpr (Base<T>::level == 2) {
-    constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-    for (int k = 0; k < 6; ++k) {
-      const auto [a, b] = pairs[k];
-      store(block, strain_factor[a] * strain_factor[b] * energy.fastAccessDx(a).fastAccessDx(b),
-            D + static_cast<long>(k) * n);
-    }
-  }
+  store_derivatives(block, n, energy, S, D);
+  store(block, Thickness<Law>::stretch(c, params), thickness_stretch);
   return c.extrapolated;
 }
 
 /// dSdp by one more nested direction a parameter: T = Fad<Fad<Lane, n_params>, 3>.
 template <class Law, std::size_t N>
-void evaluate_sensitivity(int n, const Block& block, const std::array<Lane, N>& values, const Params<Lane>& plain,
-                          double* dSdp) {
+[[gnu::noinline]] void evaluate_sensitivity(int n, const Block& block, const std::array<Lane, N>& values,
+                                            const Params<Lane>& plain, double* dSdp) {
   constexpr int n_params = static_cast<int>(N);
   using P = Fad<Lane, n_params>;
   using T = Fad<P, 3>;
@@ -173,34 +201,23 @@ void evaluate_sensitivity(int n, const Block& block, const std::array<Lane, N>& 
             dSdp + (static_cast<long>(a) * n_params + k) * n);
 }
 
+using LaneCodes __attribute__((vector_size(TOILE_LANES))) = std::uint8_t;
+
 inline int store_status(const Block& block, LaneMask extrapolated, std::uint8_t* status) {
+  const auto all = [](std::int64_t code) { return code + LaneMask::Vector{}; };
+  const LaneMask::Vector worst =
+      block.admissible.v ? (extrapolated.v ? all(point_extrapolated) : all(point_ok)) : all(point_not_admissible);
+  const auto codes = __builtin_convertvector(worst, LaneCodes);
+  std::memcpy(status + block.first, &codes, block.count);
   int bad = 0;
-  for (int i = 0; i < block.count; ++i) {
-    status[block.first + i] = !block.admissible[i] ? point_not_admissible
-                              : extrapolated[i]    ? point_extrapolated
-                                                   : point_ok;
-    bad += !block.admissible[i];
-  }
+  for (int i = 0; i < block.count; ++i) bad += status[block.first + i] == point_not_admissible;
   return bad;
 }
 
-template <class Law, class = void>
-struct Thickness {
-  static Lane stretch(const Block& block, const Params<Lane>&) {
-    return 1.0 / sqrt(block.C[0] * block.C[1] - block.C[2] * block.C[2]);
-  }
-};
-template <class Law>
-struct Thickness<Law, std::void_t<decltype(&Law::template thickness_stretch<Lane, Lane>)>> {
-  static Lane stretch(const Block& block, const Params<Lane>& params) {
-    return Law::thickness_stretch(PlaneC<Lane>(block.C[0], block.C[1], block.C[2]), params);
-  }
-};
-
 /// MaterialV1::evaluate of `Law`.
 template <class Law>
-int evaluate(const void*, int n, const double* C, const double* params, int param_stride, double* W, double* S,
-             double* D, double* thickness_stretch, double* dSdp, std::uint8_t* status) {
+[[gnu::flatten]] int evaluate(const void*, int n, const double* C, const double* params, int param_stride, double* W,
+                              double* S, double* D, double* thickness_stretch, double* dSdp, std::uint8_t* status) {
   constexpr std::size_t n_params = Law::info.size();
   std::array<Lane, n_params> values;
   if (param_stride == 0) std::copy(params, params + n_params, values.begin());
@@ -209,10 +226,10 @@ int evaluate(const void*, int n, const double* C, const double* params, int para
   for (int first = 0; first < n; first += lanes) {
     Block block = load(n, first, C);
     if (param_stride != 0) load_params(n, block, params, values);
-    const LaneMask extrapolated = D ? evaluate_block<Hessian>(Law(), n, block, law_params, W, S, D)
-                                    : evaluate_block<Gradient>(Law(), n, block, law_params, W, S, nullptr);
+    const LaneMask extrapolated =
+        D ? evaluate_block<Hessian>(Law(), n, block, law_params, W, S, D, thickness_stretch)
+          : evaluate_block<Gradient>(Law(), n, block, law_params, W, S, nullptr, thickness_stretch);
     if (dSdp) evaluate_sensitivity<Law>(n, block, values, law_params, dSdp);
-    store(block, Thickness<Law>::stretch(block, law_params), thickness_stretch);
     bad += store_status(block, extrapolated, status);
   }
   return bad;
