@@ -5,7 +5,7 @@
 namespace toile::element::testing {
 namespace {
 
-constexpr double wale_angle = 0.4;
+constexpr double angle_of_wale = 0.4;
 constexpr double area = 900.0;
 
 class ShellPatch : public ::testing::TestWithParam<const Element*> {
@@ -13,7 +13,7 @@ class ShellPatch : public ::testing::TestWithParam<const Element*> {
   const Element& element_ = *GetParam();
   const Element& membrane_ = *find(element_.nodes() == 4 ? "membrane4" : "membrane3");
   PlaneMesh mesh_ = square_mesh(6, 30.0, 0.25, element_.nodes());
-  Arrays flat_ = flat_shells(mesh_, element_, closed_neo_hookean(), wale_angle);
+  Arrays flat_ = flat_shells(mesh_, element_, closed_neo_hookean(), angle_of_wale);
   double C10_ = closed_neo_hookean().params[0];
 
   /// Largest force (or moment) at the inner nodes.
@@ -56,7 +56,7 @@ TEST_P(ShellPatch, HomogeneousStretchIsTheMembrane) {
   const Eigen::Matrix3d Q(Eigen::AngleAxisd(0.8, Eigen::Vector3d(1.0, 0.4, 0.2).normalized()));
   Eigen::VectorXd x(3 * mesh_.nodes.size());
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) x.segment<3>(3 * i) = Q * F * mesh_.nodes[i];
-  const Values membrane = evaluate(gather(mesh_, membrane_, flat_.law, wale_angle, x));
+  const Values membrane = evaluate(gather(mesh_, membrane_, flat_.law, angle_of_wale, x));
   for (std::size_t k = 0; k < mesh_.connectivity.size(); ++k) {
     Eigen::Map<Eigen::Vector3d>(&flat_.x[5 * k]) = x.segment<3>(3 * mesh_.connectivity[k]);
     Eigen::Map<Eigen::Matrix3d>(&flat_.frames[9 * k]) = Q;
@@ -81,7 +81,7 @@ TEST_P(FullyIntegratedShellPatch, PlaneDeformationIsTheMembrane) {
     const Eigen::Vector2d& X = mesh_.nodes[i];
     x.segment<3>(3 * i) << 1.3 * X[0] + std::sin(0.3 * X[1]), 1.2 * X[1] + std::cos(0.4 * X[0]), 0.0;
   }
-  const Values membrane = evaluate(gather(mesh_, membrane_, flat_.law, wale_angle, x));
+  const Values membrane = evaluate(gather(mesh_, membrane_, flat_.law, angle_of_wale, x));
   for (std::size_t k = 0; k < mesh_.connectivity.size(); ++k) {
     Eigen::Map<Eigen::Vector3d>(&flat_.x[5 * k]) = x.segment<3>(3 * mesh_.connectivity[k]);
   }

@@ -7,14 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "reals.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/parameters.hpp"
 
 namespace toile::garment::test {
 
-inline Teuchos::Array<double> reals(const std::vector<double>& values) {
-  return Teuchos::Array<double>(values);
-}
+using toile::test::reals;
 
 /// A panel in the list "Panels" without the parameters of its shape.
 inline Teuchos::ParameterList& add_panel(Teuchos::ParameterList& panels, const std::string& name,

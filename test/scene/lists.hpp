@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reals.hpp"
 #include "toile/base/error.hpp"
 #include "toile/scene/scene.hpp"
 
@@ -15,9 +16,7 @@ namespace toile::scene::test {
 
 using Teuchos::ParameterList;
 
-inline Teuchos::Array<double> reals(const std::vector<double>& values) {
-  return Teuchos::Array<double>(values);
-}
+using toile::test::reals;
 
 inline void add_panel(ParameterList& scene) {
   ParameterList& panel = scene.sublist("Panels").sublist("tube");

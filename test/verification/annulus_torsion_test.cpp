@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
-#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "toile/solve/fields.hpp"
 #include "verification/plane_scene.hpp"
 #include "verification/print.hpp"
+#include "verification/ranks.hpp"
 #include "verification/shell_scene.hpp"
 
 namespace toile::test {
@@ -35,11 +35,6 @@ Annulus with_mesh(double ratio, int level) {
   a.across = (ratio < 1.5 ? 96 : 48) << level;
   a.along = (ratio < 1.5 ? 4 : 8) << level;
   return a;
-}
-
-/// Rates are measured on one rank; several must find the same torque, on a coarser mesh.
-bool on_one_rank() {
-  return Tpetra::getDefaultComm()->getSize() == 1;
 }
 
 struct Torsion {

@@ -1,11 +1,11 @@
 #include "verification/plane_scene.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Tpetra_Core.hpp>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "reals.hpp"
 #include "toile/base/timer.hpp"
 
 namespace toile::test {
@@ -14,10 +14,6 @@ namespace {
 using Teuchos::ParameterList;
 
 constexpr double cook_modulus = 80.1938;  // MPa
-
-Teuchos::Array<double> reals(std::initializer_list<double> values) {
-  return Teuchos::Array<double>(values);
-}
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> words;

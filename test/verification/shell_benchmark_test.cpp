@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/print.hpp"
+#include "verification/ranks.hpp"
 #include "verification/shell_scene.hpp"
 
 namespace toile::test {
@@ -28,6 +29,7 @@ struct Benchmark {
   const char* load_column;
   std::vector<Curve> curves;
   double tolerance;  ///< of the largest displacement of the curve
+  bool takes_minutes = false;
 };
 
 void PrintTo(const Benchmark& b, std::ostream* out) {
@@ -40,6 +42,7 @@ class ShellBenchmark : public testing::TestWithParam<Benchmark> {};
 // the scene asks for and without a cut-back.
 TEST_P(ShellBenchmark, FollowsThePublishedCurve) {
   const Benchmark& b = GetParam();
+  if (b.takes_minutes && !on_one_rank()) GTEST_SKIP() << "measured on one rank";
   const auto table = read_table(std::string("shell/") + b.table);
   const PointHistory history = follow_points(shipped_scene(std::string("benchmarks/") + b.scene + ".xml"));
   EXPECT_EQ(history.statistics.cut_backs, 0);
@@ -88,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "3.6_pinched_cylinder_diaphragm.csv",
                   "P/Pmax",
                   {{"A", 2, -1.0, "minus_W_A"}, {"B", 0, 1.0, "U_B"}},
-                  0.03}),
+                  0.03,
+                  true}),
     [](const auto& instance) {
       std::string name = instance.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');

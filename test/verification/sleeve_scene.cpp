@@ -2,20 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <Teuchos_Array.hpp>
 #include <Tpetra_Core.hpp>
 #include <cmath>
 
+#include "reals.hpp"
 #include "toile/base/timer.hpp"
 
 namespace toile::test {
 namespace {
 
 using Teuchos::ParameterList;
-
-Teuchos::Array<double> reals(std::initializer_list<double> values) {
-  return Teuchos::Array<double>(values);
-}
 
 void add_panel(ParameterList& scene, const SleeveOptions& o) {
   ParameterList& panel = scene.sublist("Panels").sublist("sleeve");

@@ -11,10 +11,6 @@ Teuchos::ParameterList changeable_scene(const std::string& file) {
   return *Teuchos::getParametersFromXmlFile(TOILE_SOURCE_DIR "/input/" + file);
 }
 
-Teuchos::Array<double> reals(std::initializer_list<double> values) {
-  return Teuchos::Array<double>(values);
-}
-
 double Profile::amplitude() const {
   double largest = 0.0;
   for (const double h : height) largest = std::max(largest, std::abs(h));

@@ -6,15 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "reals.hpp"
 #include "verification/plane_scene.hpp"
 
 namespace toile::test {
 
 /// A scene of input/ that the caller may change.
 Teuchos::ParameterList changeable_scene(const std::string& file);
-
-/// Value of a parameter of type Array(double).
-Teuchos::Array<double> reals(std::initializer_list<double> values);
 
 /// Nodes of the panel on a line of the pattern: their present place along it and their displacement out of the plane.
 struct Profile {

@@ -25,7 +25,7 @@ namespace {
 using identify::Curve;
 using identify::CurveReport;
 
-const std::string markdown_title =
+const std::string fit_reference_title =
     "# Input reference of a fit\n\n"
     "What `toile identify` reads: `<ParameterList name=\"fit\">` with the lists below; see [identify](identify.md). "
     "This page is what `toile identify --describe --markdown` prints.\n\n";
@@ -190,7 +190,7 @@ int identify(const IdentifyArguments& arguments) {
 int describe_fit(bool markdown) {
   const base::Spec spec = identify::fit_spec();
   if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << (markdown ? markdown_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+    std::cout << (markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

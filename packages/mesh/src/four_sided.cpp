@@ -23,9 +23,9 @@ Curve rim(double radius, double from, double to) {
 Vec2 coons(const FourSides& sides, double u, double v) {
   const Vec2 ruled =
       (1.0 - v) * sides.bottom.at(u) + v * sides.top.at(u) + (1.0 - u) * sides.left.at(v) + u * sides.right.at(v);
-  const Vec2 corners = (1.0 - u) * (1.0 - v) * sides.bottom.front() + u * (1.0 - v) * sides.bottom.back() +
-                       (1.0 - u) * v * sides.top.front() + u * v * sides.top.back();
-  return ruled - corners;
+  const Vec2 of_corners = (1.0 - u) * (1.0 - v) * sides.bottom.front() + u * (1.0 - v) * sides.bottom.back() +
+                          (1.0 - u) * v * sides.top.front() + u * v * sides.top.back();
+  return ruled - of_corners;
 }
 
 void connect(Grid& grid, bool triangles) {

@@ -31,7 +31,7 @@ class FactorisedOperator : public Operator {
   const Factorisation& factorisation_;
 };
 
-using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
+using LinearProblem = Belos::LinearProblem<double, MultiVector, Operator>;
 using Manager = Belos::SolverManager<double, MultiVector, Operator>;
 
 }  // namespace
@@ -86,8 +86,8 @@ bool LinearSolver::iterate(const Vector& b, Vector& x) {
     return std::isfinite(x.norm2());
   }
   x.putScalar(0.0);
-  const RCP<Problem> problem =
-      rcp(new Problem(d.matrix, Teuchos::rcpFromRef<MultiVector>(x), Teuchos::rcpFromRef<const MultiVector>(b)));
+  const RCP<LinearProblem> problem =
+      rcp(new LinearProblem(d.matrix, Teuchos::rcpFromRef<MultiVector>(x), Teuchos::rcpFromRef<const MultiVector>(b)));
   if (d.manager.is_null() || d.options.method == "gmres")
     problem->setRightPrec(d.preconditioner);
   else
