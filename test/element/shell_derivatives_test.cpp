@@ -5,7 +5,7 @@
 namespace toile::element::testing {
 namespace {
 
-constexpr int shells = 12;
+constexpr int batch_size = 12;
 constexpr double difference = 1e-5;
 
 /// Positions and rotations have different units: their forces and stiffnesses are judged apart.
@@ -35,7 +35,7 @@ class ShellDerivatives : public ::testing::TestWithParam<std::tuple<const Elemen
     std::vector<Arrays> all;
     for (const int layers : {1, 3, 5, 7}) {
       for (const bool curved : {false, true}) {
-        all.push_back(random_shells(element_, law_, shells, 11 + layers, curved));
+        all.push_back(random_shells(element_, law_, batch_size, 11 + layers, curved));
         all.back().layers = layers;
       }
     }
@@ -44,7 +44,7 @@ class ShellDerivatives : public ::testing::TestWithParam<std::tuple<const Elemen
 
   /// Evaluation with unknown `dof` of every element moved by `change`.
   static Values moved(Arrays arrays, int dof, double change) {
-    for (int e = 0; e < shells; ++e) arrays.x[e * arrays.element->ndof() + dof] += change;
+    for (int e = 0; e < batch_size; ++e) arrays.x[e * arrays.element->ndof() + dof] += change;
     return evaluate(arrays);
   }
 };
@@ -61,7 +61,7 @@ TEST_P(ShellDerivatives, ResidualIsGradientOfEnergy) {
         if (is_rotation(dof) != rotation) continue;
         const Eigen::VectorXd slope =
             (moved(elements, dof, difference).energy - moved(elements, dof, -difference).energy) / (2.0 * difference);
-        for (int e = 0; e < shells; ++e) EXPECT_NEAR(values.residual[e * ndof_ + dof], slope[e], 1e-7 * scale);
+        for (int e = 0; e < batch_size; ++e) EXPECT_NEAR(values.residual[e * ndof_ + dof], slope[e], 1e-7 * scale);
       }
     }
   }
@@ -94,7 +94,7 @@ TEST_P(ShellDerivatives, TangentIsDerivativeOfResidual) {
 TEST_P(ShellDerivatives, TangentIsSymmetric) {
   for (const Arrays& elements : cases()) {
     const Values values = evaluate(elements);
-    for (int e = 0; e < shells; ++e) {
+    for (int e = 0; e < batch_size; ++e) {
       const Eigen::MatrixXd K = values.tangent.middleRows(e * ndof_, ndof_);
       EXPECT_TRUE(K == K.transpose());
     }
@@ -117,7 +117,7 @@ TEST_P(ShellDerivatives, RigidMotionIsObjective) {
     const Values before = evaluate(elements), after = evaluate(turned);
     const double force = before.residual.cwiseAbs().maxCoeff(), stiffness = before.tangent.cwiseAbs().maxCoeff();
     EXPECT_LT((after.energy - before.energy).cwiseAbs().maxCoeff(), 1e-11 * before.energy.cwiseAbs().maxCoeff());
-    for (int e = 0; e < shells; ++e) {
+    for (int e = 0; e < batch_size; ++e) {
       const Eigen::VectorXd r = rotation * before.residual.segment(e * ndof_, ndof_);
       EXPECT_LT((after.residual.segment(e * ndof_, ndof_) - r).cwiseAbs().maxCoeff(), 1e-11 * force);
       const Eigen::MatrixXd K = rotation * before.tangent.middleRows(e * ndof_, ndof_) * rotation.transpose();
@@ -154,7 +154,7 @@ TEST_P(ShellDerivatives, RigidReferenceIsNaturalState) {
 // rotations and the closed form for large ones agree with finite differences on both sides of their border.
 TEST_P(ShellDerivatives, LargeRotationsHaveExactDerivatives) {
   for (const double size : {0.0, 1e-9, 1e-3, 0.999, 1.001, 3.0, 6.5}) {
-    Arrays elements = random_shells(element_, law_, shells, 29, false);
+    Arrays elements = random_shells(element_, law_, batch_size, 29, false);
     elements.layers = 1;  // the director acts through transverse shear alone, which admits any rotation
     for (std::size_t node = 0; node < elements.x.size() / 5; ++node) {
       elements.x[5 * node + 3] = 0.6 * size;
@@ -166,7 +166,7 @@ TEST_P(ShellDerivatives, LargeRotationsHaveExactDerivatives) {
       const Values above = moved(elements, dof, difference), below = moved(elements, dof, -difference);
       const Eigen::VectorXd slope = (above.energy - below.energy) / (2.0 * difference);
       const Eigen::VectorXd column = (above.residual - below.residual) / (2.0 * difference);
-      for (int e = 0; e < shells; ++e) EXPECT_NEAR(values.residual[e * ndof_ + dof], slope[e], 1e-7 * force);
+      for (int e = 0; e < batch_size; ++e) EXPECT_NEAR(values.residual[e * ndof_ + dof], slope[e], 1e-7 * force);
       EXPECT_LT((values.tangent.col(dof) - column).cwiseAbs().maxCoeff(), 1e-7 * stiffness) << size;
     }
   }
