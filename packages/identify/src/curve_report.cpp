@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "toile/identify/curve_models.hpp"
 #include "toile/identify/statistics.hpp"
 
 namespace toile::identify {
@@ -35,7 +36,7 @@ std::vector<CurveReport> curve_reports(const FitProblem& problem, const std::vec
   std::vector<CurveReport> all;
   for (const Curve& curve : problem.curves()) {
     std::vector<double> stress(curve.stress.size());
-    Homogeneous(curve.points()).stress(problem.law(), params.data(), stress.data());
+    forward_model({curve})->stress(problem.law(), params.data(), stress.data());
     all.push_back(report(curve, std::move(stress)));
   }
   return all;
