@@ -1,11 +1,10 @@
 #include "toile/identify/clamped_strip.hpp"
 
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "material/evaluation.hpp"
+#include "strip_references.hpp"
 #include "toile/identify/homogeneous.hpp"
 
 namespace toile::identify::test {
@@ -17,33 +16,7 @@ using material::test::values;
 const double degree = std::acos(-1.0) / 180.0;
 constexpr int default_across = 12;
 
-struct Reference {
-  std::string material;
-  double angle;                         ///< of the axis to the wale, deg
-  std::vector<double> stretch, stress;  ///< nominal stress, MPa
-};
-
-/// Strips of 150 x 50 x 1 mm by the independent solution of high order (test/data/plane_stress/strips.csv, 2e-5).
-std::vector<Reference> references() {
-  constexpr double section = 50.0;
-  std::ifstream file(TOILE_SOURCE_DIR "/test/data/plane_stress/strips.csv");
-  std::vector<Reference> all;
-  for (std::string line; std::getline(file, line);) {
-    if (line[0] == '#' || line.rfind("material", 0) == 0) continue;
-    std::istringstream cells(line);
-    std::string material, cell;
-    std::getline(cells, material, ',');
-    std::vector<double> number;
-    while (std::getline(cells, cell, ',')) number.push_back(std::stod(cell));
-    if (all.empty() || all.back().material != material || all.back().angle != number[0])
-      all.push_back({material, number[0], {}, {}});
-    all.back().stretch.push_back(number[1]);
-    all.back().stress.push_back(number[2] / section);
-  }
-  return all;
-}
-
-std::vector<double> strip_stress(const Reference& r, int across, double length = 150.0) {
+std::vector<double> strip_stress(const StripReference& r, int across, double length = 150.0) {
   std::vector<double> P(r.stretch.size());
   const std::vector<double> params = values(r.material, "pantyhose");
   ClampedStrip strip({length, 50.0, across}, r.angle * degree, r.stretch);
@@ -51,7 +24,7 @@ std::vector<double> strip_stress(const Reference& r, int across, double length =
   return P;
 }
 
-std::vector<double> homogeneous_stress(const Reference& r) {
+std::vector<double> homogeneous_stress(const StripReference& r) {
   std::vector<TestPoint> points;
   for (const double l : r.stretch) points.push_back({TestKind::uniaxial, r.angle * degree, l});
   std::vector<double> P(points.size());
@@ -68,9 +41,9 @@ double largest_relative_difference(const std::vector<double>& a, const std::vect
 // With the default mesh the stress of every fabric, pulled along wale, course and in between, is that of the
 // independent solution within 0.3 %, at every stretch; that of a homogeneous state is not.
 TEST(ClampedStrip, AgreesWithTheIndependentSolution) {
-  const std::vector<Reference> all = references();
+  const std::vector<StripReference> all = strip_references();
   ASSERT_EQ(all.size(), 7u);
-  for (const Reference& r : all) {
+  for (const StripReference& r : all) {
     const double error = largest_relative_difference(strip_stress(r, default_across), r.stress);
     const double homogeneous = largest_relative_difference(homogeneous_stress(r), r.stress);
     std::cout << r.material << ", " << r.angle << " deg: off by " << 100.0 * error << " %, a homogeneous state by "
@@ -82,7 +55,7 @@ TEST(ClampedStrip, AgreesWithTheIndependentSolution) {
 
 // From the default mesh on the stress converges with the second power of the element size to the independent solution.
 TEST(ClampedStrip, ConvergesWithSecondOrder) {
-  for (const Reference& r : references()) {
+  for (const StripReference& r : strip_references()) {
     double error[2];
     for (int level = 0; level < 2; ++level) {
       error[level] = largest_relative_difference(strip_stress(r, default_across << level), r.stress);
@@ -154,12 +127,42 @@ TEST(ClampedStrip, SensitivitiesAreDifferences) {
 
 // The longer the strip the nearer its stress is to that of a homogeneous state: the difference falls as 1 / length.
 TEST(ClampedStrip, LongStripsAreHomogeneous) {
-  for (const Reference& r : references()) {
+  for (const StripReference& r : strip_references()) {
     const std::vector<double> limit = homogeneous_stress(r);
     const double at_10 = largest_relative_difference(strip_stress(r, default_across, 10 * 50.0), limit);
     const double at_40 = largest_relative_difference(strip_stress(r, default_across, 40 * 50.0), limit);
-    std::cout << r.material << " " << r.angle << ": " << at_10 << " " << at_40 << "\n";
     EXPECT_NEAR(at_40, at_10 / 4.0, 0.1 * at_10 / 4.0) << r.material << " " << r.angle;
+  }
+}
+
+// From the first stretch on at which a strip would buckle in its plane there is no number, whatever comes after; what
+// is before is as it was.
+TEST(ClampedStrip, HasNoNumberBeyondWhatItCanReach) {
+  const material::MaterialV1& fabric = law("neo-hookean");
+  const std::vector<double> params = values("neo-hookean", "pantyhose");
+  const StripSpecimen slender = {500.0, 50.0, 6};
+  std::vector<double> P(4), gradient(4 * params.size()), alone(1);
+  ClampedStrip strip(slender, 0.0, {0.99, 0.9, 0.89, 0.88});
+  EXPECT_EQ(strip.stress_and_gradient(fabric, params.data(), P.data(), gradient.data()), 3);
+  ClampedStrip(slender, 0.0, {0.99}).stress(fabric, params.data(), alone.data());
+  EXPECT_LT(P[0], 0.0);
+  EXPECT_EQ(P[0], alone[0]);
+  EXPECT_TRUE(std::isfinite(gradient[0]));
+  for (const int i : {1, 2, 3}) {
+    EXPECT_TRUE(std::isnan(P[i])) << i;
+    EXPECT_TRUE(std::isnan(gradient[i])) << i;
+  }
+}
+
+// Stiff laws are followed from rest to one large stretch: exponents of 20, at any angle.
+TEST(ClampedStrip, StiffLaws) {
+  std::vector<double> params = values("itskov", "pantyhose");
+  for (const int exponent : {1, 2, 6, 7, 11, 12}) params[exponent] = 20.0;
+  for (const double angle : {0.0, 30.0, 45.0, 90.0}) {
+    double P = 0.0;
+    ClampedStrip strip({100.0, 50.0, 8}, angle * degree, {1.8});
+    EXPECT_EQ(strip.stress(law("itskov"), params.data(), &P), 0) << angle;
+    EXPECT_GT(P, 0.0) << angle;
   }
 }
 

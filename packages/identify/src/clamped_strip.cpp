@@ -102,14 +102,13 @@ std::optional<State> load(StripEquations& equations, State state, double end) {
 
 }  // namespace
 
-ClampedStrip::ClampedStrip(const StripSpecimen& specimen, double angle, std::vector<double> stretches)
-    : stretches_(std::move(stretches)),
-      equations_(std::make_unique<StripEquations>(specimen.length / specimen.width, angle, specimen.elements_across)) {}
-ClampedStrip::~ClampedStrip() = default;
-
-int ClampedStrip::elements() const {
-  return equations_->elements();
+int StripSpecimen::elements_along() const {
+  return std::max(2, static_cast<int>(std::lround(elements_across * std::sqrt(length / width))));
 }
+
+ClampedStrip::ClampedStrip(const StripSpecimen& specimen, double angle, std::vector<double> stretches)
+    : stretches_(std::move(stretches)), equations_(std::make_unique<StripEquations>(specimen, angle)) {}
+ClampedStrip::~ClampedStrip() = default;
 
 long ClampedStrip::factorisations() const {
   return equations_->factorisations();

@@ -11,7 +11,8 @@ namespace {
 /// A start with homogeneous states in the place of clamped strips.
 Start homogeneous_start(const FitProblem& problem, Residuals& residuals, const Algorithm& algorithm, int number,
                         const FitProgress& progress) {
-  const std::string phase = algorithm.polish ? "search and polish" : "search";
+  const std::string phase = std::string(algorithm.polish ? "search and polish" : "search") +
+                            (problem.fits_strips() ? " with homogeneous states" : "");
   const unsigned seed = algorithm.seed + static_cast<unsigned>(number);
   const auto report = [&](int generation, double chi) {
     progress({phase, (number + static_cast<double>(generation) / algorithm.generations) / algorithm.starts, chi});

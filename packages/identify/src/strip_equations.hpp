@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "toile/element/element.hpp"
+#include "toile/identify/clamped_strip.hpp"
 #include "toile/mesh/four_sided.hpp"
 
 namespace toile::identify {
@@ -14,11 +15,10 @@ class StripEquations {
  public:
   using Vector = Eigen::VectorXd;
 
-  /// `aspect`: length over width; `wale_angle` from the strip's axis, rad.
-  StripEquations(double aspect, double wale_angle, int across);
+  /// `wale_angle` from the strip's axis, rad.
+  StripEquations(const StripSpecimen& specimen, double wale_angle);
 
   double length() const { return length_; }  ///< of the strip of unit width
-  int elements() const { return batch_.n; }
   long factorisations() const { return factorisations_; }
 
   void set_law(const material::MaterialV1& law, const double* params);

@@ -11,6 +11,8 @@ namespace toile::identify {
 struct StripSpecimen {
   double length, width;  ///< at rest, mm
   int elements_across;   ///< of the width
+
+  int elements_along() const;
 };
 
 class StripEquations;
@@ -39,7 +41,6 @@ class ClampedStrip final : public ForwardModel {
   int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
                           double* gradient) override;
 
-  int elements() const;  ///< of the mesh
   /// Tangents factorised since the object was made.
   long factorisations() const;
 
