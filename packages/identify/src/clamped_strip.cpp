@@ -12,9 +12,9 @@ namespace {
 
 using Vector = StripEquations::Vector;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 /// A step this small (of positions over the width) is the last: the force has its error squared.
-constexpr double last_step = 1e-7;
+constexpr double last_correction = 1e-7;
 constexpr int most_iterations = 25;
 /// Part of the way to the next stretch that a step of the load has at least.
 constexpr double least_part = 1.0 / 256.0;
@@ -59,7 +59,7 @@ double descend(StripEquations& equations, Vector& x, double energy, const Vector
     x = next;
     return value;
   }
-  return not_a_number;
+  return no_value;
 }
 
 /// Equilibrium with the end at `u`, from positions `x` that have it there.
@@ -68,7 +68,7 @@ std::optional<State> equilibrium(StripEquations& equations, double u, Vector x) 
   for (int i = 0; i < most_iterations && std::isfinite(energy); ++i) {
     const auto d = direction(equations);
     if (!d) return std::nullopt;
-    if (d->step.lpNorm<Eigen::Infinity>() < last_step) {
+    if (d->step.lpNorm<Eigen::Infinity>() < last_correction) {
       if (!d->is_stable) return std::nullopt;
       Vector v = equations.pull() + equations.solve(equations.pulled());
       const double force = v.dot(equations.gradient());
@@ -118,8 +118,8 @@ int ClampedStrip::follow(const material::MaterialV1& law, const double* params, 
   StripEquations& equations = *equations_;
   equations.set_law(law, params);
   const std::size_t n = stretches_.size();
-  std::fill_n(stress, n, not_a_number);
-  if (gradient != nullptr) std::fill_n(gradient, n * static_cast<std::size_t>(law.n_params), not_a_number);
+  std::fill_n(stress, n, no_value);
+  if (gradient != nullptr) std::fill_n(gradient, n * static_cast<std::size_t>(law.n_params), no_value);
   std::optional<State> state = equilibrium(equations, 0.0, equations.at_rest());
   for (std::size_t i = 0; i < n && state; ++i) {
     state = load(equations, std::move(*state), (stretches_[i] - 1.0) * equations.length());
