@@ -27,6 +27,16 @@ TEST_F(Identify, ShippedFit) {
   EXPECT_THAT(run.out, HasSubstr(read("out/material.xml")));
 }
 
+// So does the one with clamped strips, which tells of its second phase and of the strips.
+TEST_F(Identify, ShippedFitOfStrips) {
+  const Outcome run =
+      toile("identify " + std::string(TOILE_SOURCE_DIR) + "/input/identify/clamped-strips.xml --output out");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("search and polish with homogeneous states: 100 %"),
+                             HasSubstr("polish with clamped strips: 100 %"),
+                             HasSubstr("clamped strip of 12 x 17 elements: they err by ")));
+}
+
 // A fit file or its data that cannot be used ends the program with status 2 and one message, before anything is
 // written.
 TEST_F(Identify, BadInput) {

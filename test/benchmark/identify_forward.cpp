@@ -1,13 +1,17 @@
-// Homogeneous forward curves of 20 points each per second on one core: the tests of one candidate (wale, course, bias
-// and two strip-biaxial curves) at once, as a fit evaluates them. Issue: at least 50,000 curves per second.
+// Forward curves of 20 points on one core: homogeneous ones, and clamped strips by finite elements (150 x 50 mm,
+// default mesh). Homogeneous forward curves of 20 points each per second on one core: the tests of one candidate (wale,
+// course, bias and two strip-biaxial curves) at once, as a fit evaluates them. Issue: at least 50,000 curves per
+// second.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
+#include "toile/identify/clamped_strip.hpp"
 #include "toile/identify/homogeneous.hpp"
 
 namespace {
 
+using toile::identify::ClampedStrip;
 using toile::identify::Homogeneous;
 using toile::identify::TestKind;
 using toile::identify::TestPoint;
@@ -42,6 +46,26 @@ void run(benchmark::State& state, const char* name, const std::vector<TestPoint>
       static_cast<double>(states.evaluations() - before) / static_cast<double>(calls * states.size());
 }
 
+void run_strip(benchmark::State& state, const char* name, double angle, bool with_gradient) {
+  const toile::material::MaterialV1& law = *toile::material::find(name);
+  const double* params = law.sets[0].values;
+  std::vector<double> stretches;
+  for (int i = 1; i <= curve_points; ++i) stretches.push_back(1.0 + 0.05 * i);
+  ClampedStrip strip({150.0, 50.0, 12}, angle, stretches);
+  std::vector<double> stress(stretches.size()), gradient(stretches.size() * law.n_params);
+  const long before = strip.factorisations();
+  for (auto _ : state) {
+    const int bad = with_gradient ? strip.stress_and_gradient(law, params, stress.data(), gradient.data())
+                                  : strip.stress(law, params, stress.data());
+    if (bad != 0) state.SkipWithError("a state was not found");
+    benchmark::DoNotOptimize(stress.data());
+  }
+  const auto curves = static_cast<double>(state.iterations());
+  state.counters["curves/s"] = benchmark::Counter(curves, benchmark::Counter::kIsRate);
+  state.counters["factorisations/point"] =
+      static_cast<double>(strip.factorisations() - before) / (curves * curve_points);
+}
+
 const double right = std::acos(0.0);
 const std::vector<TestPoint> wale = {{TestKind::uniaxial, 0.0, 1.0}};
 const std::vector<TestPoint> bias = {{TestKind::uniaxial, 0.5 * right, 1.0}};
@@ -59,3 +83,8 @@ BENCHMARK_CAPTURE(run, itskov_five_curves, "itskov", all, false);
 BENCHMARK_CAPTURE(run, itskov_wale, "itskov", wale, false);
 BENCHMARK_CAPTURE(run, itskov_bias, "itskov", bias, false);
 BENCHMARK_CAPTURE(run, itskov_five_curves_and_gradient, "itskov", all, true);
+BENCHMARK_CAPTURE(run_strip, itskov_clamped_wale, "itskov", 0.0, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_strip, itskov_clamped_bias, "itskov", 0.5 * right, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_strip, itskov_clamped_bias_and_gradient, "itskov", 0.5 * right, true)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_strip, rebar_clamped_bias, "rebar", 0.5 * right, false)->Unit(benchmark::kMillisecond);

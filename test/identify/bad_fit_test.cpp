@@ -104,6 +104,31 @@ TEST(BadData, Specimen) {
                         "\"displacement\""));
 }
 
+// A clamped strip is uniaxial and needs the measures of its specimen; a homogeneous state has no elements; a model that
+// there is not.
+TEST(BadData, ClampedStrip) {
+  const std::string clamped = parameter("model", "string", "clamped strip");
+  const std::string length = parameter("gauge length", "double", "100"), width = parameter("width", "double", "50");
+  EXPECT_THAT(
+      data_error(good_data, clamped + width),
+      HasSubstr("fit > Data > wale: parameter \"gauge length\" = 0 (default): must be given, because \"model\" is "
+                "\"clamped strip\""));
+  EXPECT_THAT(data_error(good_data, clamped + length),
+              HasSubstr("parameter \"width\" = 0 (default): must be given, because \"model\" is \"clamped strip\""));
+  EXPECT_THAT(data_error(good_data, clamped + length + width + parameter("kind", "string", "equibiaxial")),
+              HasSubstr("parameter \"model\" = \"clamped strip\": a clamped strip is a uniaxial test, but \"kind\" is "
+                        "\"equibiaxial\""));
+  EXPECT_THAT(data_error(good_data, parameter("elements across", "int", "8")),
+              HasSubstr("parameter \"elements across\" = 8: a homogeneous state has no elements; \"model\" must be "
+                        "\"clamped strip\""));
+  const auto read_error = [](const std::string& extra) {
+    return base::test::input_error([&] { data_error(good_data, extra); });
+  };
+  EXPECT_THAT(read_error(clamped + length + width + parameter("elements across", "int", "2")),
+              HasSubstr("parameter \"elements across\" is out of range: 2, allowed: 4 <= value <= 100"));
+  EXPECT_THAT(read_error(parameter("model", "string", "clamped stripe")), HasSubstr("did you mean \"clamped strip\"?"));
+}
+
 // Every unit is converted: the same test in strain and kPa, and in displacement and force of a specimen of 50 mm x
 // 20 mm with the material's thickness of 0.5 mm.
 TEST(Data, Conversions) {
@@ -188,7 +213,7 @@ TEST(Fit, TakesTheGivenValue) {
     const base::List input = folder.read();
     const FitProblem problem(input);
     EXPECT_NEAR(problem.params(problem.first_candidate())[0], 0.0123, 1e-15);
-    const FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](double, double) {});
+    const FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
     Residuals residuals(problem);
     EXPECT_LE(result.chi_squared, residuals.chi_squared(problem.first_candidate())) << search;
   }

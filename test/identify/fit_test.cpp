@@ -31,7 +31,7 @@ struct Outcome {
 Outcome run(const FitFolder& folder) {
   const base::List input = folder.read();
   FitProblem problem(input);
-  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](double, double) {});
+  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
   std::vector<CurveReport> reports = curve_reports(problem, result.params);
   return {std::move(problem), std::move(result), std::move(reports)};
 }

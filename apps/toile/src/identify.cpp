@@ -30,24 +30,36 @@ const std::string fit_reference_title =
     "What `toile identify` reads: `<ParameterList name=\"fit\">` with the lists below; see [identify](identify.md). "
     "This page is what `toile identify --describe --markdown` prints.\n\n";
 
-/// Progress every twentieth of the work.
+/// Progress every twentieth of each phase, and at least every 10 s if there is any.
 class Progress {
  public:
   Progress(base::Log& log, const base::Timer& timer) : log_(log), timer_(timer) {}
-  void operator()(double part, double chi) {
-    if (part < next_ && part < 1.0) return;
-    next_ = part + 0.05;
+  void operator()(const identify::FitState& state) {
+    const bool is_new = state.phase != phase_;
+    if (is_new) {
+      phase_ = state.phase;
+      begin_ = end_;
+    }
+    end_ = timer_.elapsed();
+    if (!is_new && state.part < next_ && state.part < 1.0 && end_ < reported_ + longest_silence) return;
+    next_ = state.part + 0.05;
+    reported_ = end_;
     std::ostringstream line;
     line.precision(3);
-    line << 100.0 * part << " %, chi^2 " << chi << ", " << base::duration_text(timer_.elapsed()) << " elapsed, about "
-         << base::duration_text(timer_.elapsed() * (1.0 - part) / part) << " left";
+    line << phase_ << ": " << 100.0 * state.part << " %, chi^2 " << state.chi_squared << ", "
+         << base::duration_text(end_) << " elapsed, about "
+         << base::duration_text((end_ - begin_) * (1.0 - state.part) / state.part) << " left of it";
     log_.info(line.str());
   }
 
  private:
+  static constexpr double longest_silence = 10.0;  ///< s
+
   base::Log& log_;
   const base::Timer& timer_;
-  double next_ = 0.0;
+  std::string phase_;
+  double begin_ = 0.0, end_ = 0.0;  ///< of the current phase: its start, its last news
+  double next_ = 0.0, reported_ = 0.0;
 };
 
 std::string folder_of(const IdentifyArguments& arguments, const base::List& list) {

@@ -88,10 +88,13 @@ std::vector<double> converted(const CsvFile& file, const Found& found) {
   return values;
 }
 
-double needed(const base::List& list, const std::string& parameter, const Found& found) {
-  if (!list.given(parameter))
-    list.fail(parameter, "must be given, because the data file holds \"" + std::string(found.quantity->name) + "\"");
+double needed(const base::List& list, const std::string& parameter, const std::string& why) {
+  if (!list.given(parameter)) list.fail(parameter, "must be given, because " + why);
   return list.real(parameter);
+}
+
+double needed(const base::List& list, const std::string& parameter, const Found& found) {
+  return needed(list, parameter, "the data file holds \"" + std::string(found.quantity->name) + "\"");
 }
 
 std::vector<double> stretches(const CsvFile& file, const base::List& list) {
@@ -131,6 +134,18 @@ TestKind kind_of(const std::string& word) {
   return word == "equibiaxial" ? TestKind::equibiaxial : TestKind::strip_biaxial;
 }
 
+std::optional<StripSpecimen> strip_of(const base::List& list) {
+  if (list.word("model") == "homogeneous") {
+    if (list.given("elements across"))
+      list.fail("elements across", "a homogeneous state has no elements; \"model\" must be \"clamped strip\"");
+    return std::nullopt;
+  }
+  if (list.word("kind") != "uniaxial")
+    list.fail("model", "a clamped strip is a uniaxial test, but \"kind\" is \"" + list.word("kind") + "\"");
+  const std::string why = "\"model\" is \"clamped strip\"";
+  return StripSpecimen{needed(list, "gauge length", why), needed(list, "width", why), list.integer("elements across")};
+}
+
 }  // namespace
 
 std::vector<TestPoint> Curve::points() const {
@@ -150,14 +165,23 @@ base::Spec curve_spec() {
               "uniaxial: strip with free lateral contraction and shear. equibiaxial: the same stretch across. strip "
               "biaxial and pure shear: no lateral contraction, two names of one state.",
               {"uniaxial", "equibiaxial", "strip biaxial", "pure shear"}, std::string("uniaxial"))
+      .choice("model",
+              "homogeneous: one state for the whole specimen. clamped strip: finite elements of a uniaxial specimen "
+              "between clamps; the global search takes the homogeneous state in its place, the polish does not.",
+              {"homogeneous", "clamped strip"}, std::string("homogeneous"))
       .real("angle", "deg", "Angle of the measured direction to the wale: 0 wale, 90 course, 45 bias.")
       .real("weight", "", "Factor of the curve's squared residuals; 0: it is not fitted, only predicted.", 1.0,
             Range::non_negative())
       .real("noise", "", "Standard deviation of the stress, as a part of the curve's largest.", 0.01, Range::positive())
       .real("relative noise", "", "Further standard deviation, as a part of the stress itself.", 0.0,
             Range::non_negative())
-      .real("gauge length", "mm", "Length at rest; for displacements.", 0.0, Range::positive())
-      .real("width", "mm", "Width at rest; for forces.", 0.0, Range::positive());
+      .real("gauge length", "mm", "Length at rest; for displacements, and between the clamps of a clamped strip.", 0.0,
+            Range::positive())
+      .real("width", "mm", "Width at rest; for forces and for a clamped strip.", 0.0, Range::positive())
+      .integer("elements across",
+               "Of a clamped strip: elements across its width; sqrt(gauge length / width) times as many lie along it, "
+               "both graded to the corners. The report says how far they are from a mesh twice as fine.",
+               12, Range::between(4, 100));
   return spec;
 }
 
@@ -169,6 +193,7 @@ Curve read_curve(const base::List& list, double thickness) {
   curve.kind = kind_of(list.word("kind"));
   curve.angle = list.real("angle") * std::acos(-1.0) / 180.0;
   curve.weight = list.real("weight");
+  curve.strip = strip_of(list);
   curve.stretch = stretches(file, list);
   curve.stress = stresses(file, list, thickness);
   if (curve.stretch.size() < least_rows)

@@ -30,6 +30,8 @@ struct Context {
   Residuals& residuals;
   VectorXd origin;
   MatrixXd T;
+  const std::function<void(double)>& progress;
+  double smallest;  ///< chi^2
 
   std::vector<double> x(const double* y) const {
     const VectorXd x = origin + T * Eigen::Map<const VectorXd>(y, T.cols());
@@ -38,10 +40,12 @@ struct Context {
   Eigen::Map<const MatrixXd> jacobian() const { return {residuals.jacobian().data(), residuals.count(), T.rows()}; }
 };
 
-Context context_at(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x) {
+Context context_at(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x,
+                   const std::function<void(double)>& progress) {
   const auto n = static_cast<Eigen::Index>(x.size());
-  Context context = {problem, residuals, Eigen::Map<const VectorXd>(x.data(), n), MatrixXd::Identity(n, n)};
-  residuals.chi_squared_and_derivatives(x);
+  const double chi = residuals.chi_squared_and_derivatives(x);
+  Context context = {problem,  residuals, Eigen::Map<const VectorXd>(x.data(), n), MatrixXd::Identity(n, n),
+                     progress, chi};
   const Eigen::JacobiSVD<MatrixXd> svd(context.jacobian(), Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
   if (sigma[0] > 0.0)
@@ -50,9 +54,11 @@ Context context_at(const FitProblem& problem, Residuals& residuals, const std::v
 }
 
 double objective(unsigned n, const double* y, double* gradient, void* data) {
-  const Context& context = *static_cast<Context*>(data);
+  Context& context = *static_cast<Context*>(data);
   if (gradient == nullptr) return context.residuals.chi_squared(context.x(y));
   const double chi = context.residuals.chi_squared_and_derivatives(context.x(y));
+  context.smallest = std::min(context.smallest, chi);
+  context.progress(context.smallest);
   Eigen::Map<VectorXd> g(gradient, n);
   g.setZero();
   if (chi < Residuals::hopeless) {
@@ -114,8 +120,8 @@ void constrain(nlopt_opt opt, std::size_t count, nlopt_mfunc function, Context& 
 
 /// One run of SLSQP from `x`. A failure of the optimiser leaves its best point, which is judged like any other.
 std::vector<double> sequential_programming(const FitProblem& problem, Residuals& residuals,
-                                           const std::vector<double>& x) {
-  Context context = context_at(problem, residuals, x);
+                                           const std::vector<double>& x, const std::function<void(double)>& progress) {
+  Context context = context_at(problem, residuals, x, progress);
   const auto n = static_cast<unsigned>(x.size());
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(nlopt_create(NLOPT_LD_SLSQP, n),
                                                                          &nlopt_destroy);
@@ -138,31 +144,40 @@ bool is_usable(const FitProblem& problem, Residuals& residuals, const std::vecto
          (!problem.keeps_rising() || residuals.smallest_rise() >= 0.0);
 }
 
-/// The last point on the way from `from` to `to` that is usable; `from` if none is.
-std::vector<double> last_usable(const FitProblem& problem, Residuals& residuals, const std::vector<double>& from,
-                                const std::vector<double>& to) {
+/// The last point on the way from `from`, which is taken to be accepted, to `to` that is.
+std::vector<double> last_accepted(const std::vector<double>& from, const std::vector<double>& to,
+                                  const std::function<bool(const std::vector<double>&)>& is_accepted) {
   constexpr int halvings = 40;
-  if (is_usable(problem, residuals, to)) return to;
+  if (is_accepted(to)) return to;
   std::vector<double> best = from, between(from.size());
   double good = 0.0, bad = 1.0;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (good + bad);
     for (std::size_t k = 0; k < from.size(); ++k) between[k] = from[k] + middle * (to[k] - from[k]);
-    const bool usable = is_usable(problem, residuals, between);
-    if (usable) best = between;
-    (usable ? good : bad) = middle;
+    const bool accepted = is_accepted(between);
+    if (accepted) best = between;
+    (accepted ? good : bad) = middle;
   }
   return best;
 }
 
+/// The last usable point on the way from `from`, which is usable, to `to`. What needs no evaluation of the curves is
+/// met first: they may be costly.
+std::vector<double> last_usable(const FitProblem& problem, Residuals& residuals, const std::vector<double>& from,
+                                const std::vector<double>& to) {
+  const auto valid = last_accepted(from, to, [&](const auto& x) { return problem.is_valid(x); });
+  return last_accepted(from, valid, [&](const auto& x) { return is_usable(problem, residuals, x); });
+}
+
 }  // namespace
 
-std::vector<double> polished(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x) {
+std::vector<double> polished(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x,
+                             const std::function<void(double)>& progress) {
   std::vector<double> best = x;
   bool usable = is_usable(problem, residuals, x);
   double chi = residuals.chi_squared(x);
   for (int round = 0; round < most_rounds && chi < Residuals::hopeless; ++round) {
-    std::vector<double> next = sequential_programming(problem, residuals, best);
+    std::vector<double> next = sequential_programming(problem, residuals, best, progress);
     if (usable) next = last_usable(problem, residuals, best, next);
     const bool next_usable = is_usable(problem, residuals, next);
     const double next_chi = residuals.chi_squared(next);

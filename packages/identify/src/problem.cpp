@@ -52,6 +52,10 @@ FitProblem::FitProblem(const base::List& list) {
   find_anchor(list);
 }
 
+bool FitProblem::fits_strips() const {
+  return std::any_of(curves_.begin(), curves_.end(), [](const Curve& c) { return c.weight > 0.0 && c.strip; });
+}
+
 base::Texts FitProblem::names() const {
   base::Texts all;
   for (int i = 0; i < law_->n_params; ++i) all.emplace_back(law_->info[i].name);

@@ -18,13 +18,29 @@ std::string percent(double part) {
   return out.str();
 }
 
-void write_starts(std::ostream& out, const FitResult& result) {
-  out << "Starts: chi^2 of the search, and after the polish\n";
+void write_starts(std::ostream& out, const FitResult& result, bool has_strips) {
+  out << "Starts: chi^2 of the search, and after the polish"
+      << (has_strips ? ", with homogeneous states in the place of clamped strips\n" : "\n");
   for (std::size_t s = 0; s < result.starts.size(); ++s) {
     const Start& start = result.starts[s];
     out << "  seed " << start.seed << ": " << start.searched << ", " << start.polished
         << (s == result.best ? "  <- the result\n" : "\n");
+    if (start.strips)
+      out << "    polished with the clamped strips: " << start.strips->before << " before, " << start.strips->after
+          << " after\n";
   }
+}
+
+void write_strip(std::ostream& out, const StripReport& strip) {
+  out << "    clamped strip of " << strip.across << " x " << strip.along << " elements: ";
+  if (std::isfinite(strip.mesh_error))
+    out << "they err by " << 100.0 * strip.mesh_error << " % of the largest stress (from a mesh twice as fine)";
+  else
+    out << "their error is not known, because a mesh twice as fine does not reach every stretch";
+  if (std::isfinite(strip.homogeneous))
+    out << "; a homogeneous state of the same law would be " << std::abs(100.0 * strip.homogeneous) << " % too "
+        << (strip.homogeneous < 0.0 ? "low" : "high") << " at the largest stretch";
+  out << "\n";
 }
 
 void write_curve(std::ostream& out, const CurveReport& r) {
@@ -36,6 +52,7 @@ void write_curve(std::ostream& out, const CurveReport& r) {
         << (r.end_relative < 0.0 ? "low" : "high");
   if (r.missing > 0) out << "; at " << r.missing << " points the law has no such state";
   out << "\n";
+  if (r.strip) write_strip(out, *r.strip);
 }
 
 void write_parameters(std::ostream& out, const FitProblem& problem, const FitResult& result,
@@ -89,8 +106,8 @@ std::string report_text(const FitProblem& problem, const FitResult& result, cons
                         const ParameterStatistics& statistics) {
   std::ostringstream out;
   out.precision(4);
-  write_starts(out, result);
-  out << "Curves: fit minus data\n";
+  write_starts(out, result, problem.fits_strips());
+  out << "Curves: fit minus data, each point a homogeneous state unless a line tells of a clamped strip\n";
   for (const CurveReport& r : curves) write_curve(out, r);
   out << "  residuals are " << statistics.noise << " times the noise that the data were said to have"
       << (statistics.noise > misfit ? ": the law does not follow these curves, and the deviations below are too small\n"

@@ -5,9 +5,20 @@
 
 namespace toile::identify {
 
-Residuals::Residuals(const FitProblem& problem) : problem_(problem), states_(fitted_points(problem)) {
-  for (const Curve& curve : problem.curves()) {
-    if (curve.weight == 0.0) continue;
+namespace {
+
+std::vector<Curve> fitted_curves(const FitProblem& problem) {
+  std::vector<Curve> fitted;
+  for (const Curve& curve : problem.curves())
+    if (curve.weight > 0.0) fitted.push_back(curve);
+  return fitted;
+}
+
+}  // namespace
+
+Residuals::Residuals(const FitProblem& problem, Fidelity fidelity)
+    : problem_(problem), model_(forward_model(fitted_curves(problem), fidelity)) {
+  for (const Curve& curve : fitted_curves(problem)) {
     double largest = 0.0;
     for (const double value : curve.stress) largest = std::max(largest, std::abs(value));
     for (std::size_t i = 0; i < curve.stress.size(); ++i) {
@@ -28,16 +39,6 @@ Residuals::Residuals(const FitProblem& problem) : problem_(problem), states_(fit
   rise_jacobian_.resize(rise_from_.size() * n_free);
 }
 
-std::vector<TestPoint> Residuals::fitted_points(const FitProblem& problem) {
-  std::vector<TestPoint> all;
-  for (const Curve& curve : problem.curves()) {
-    if (curve.weight == 0.0) continue;
-    const std::vector<TestPoint> points = curve.points();
-    all.insert(all.end(), points.begin(), points.end());
-  }
-  return all;
-}
-
 double Residuals::finish() {
   double sum = 0.0;
   for (std::size_t i = 0; i < data_.size(); ++i) {
@@ -50,12 +51,16 @@ double Residuals::finish() {
 }
 
 double Residuals::chi_squared(const std::vector<double>& x) {
-  states_.stress(problem_.law(), problem_.params(x).data(), stress_.data());
-  return finish();
+  if (x == last_) return chi_squared_;
+  model_->stress(problem_.law(), problem_.params(x).data(), stress_.data());
+  last_ = x;
+  has_derivatives_ = false;
+  return chi_squared_ = finish();
 }
 
 double Residuals::chi_squared_and_derivatives(const std::vector<double>& x) {
-  states_.stress_and_gradient(problem_.law(), problem_.params(x).data(), stress_.data(), gradient_.data());
+  if (x == last_ && has_derivatives_) return chi_squared_;
+  model_->stress_and_gradient(problem_.law(), problem_.params(x).data(), stress_.data(), gradient_.data());
   const std::vector<double> slopes = problem_.slopes(x);
   const std::size_t n = data_.size(), n_rises = rise_.size();
   for (std::size_t k = 0; k < slopes.size(); ++k) {
@@ -65,7 +70,9 @@ double Residuals::chi_squared_and_derivatives(const std::vector<double>& x) {
       rise_jacobian_[k * n_rises + r] =
           rise_scale_[r] * slopes[k] * (by_param[rise_from_[r] + 1] - by_param[rise_from_[r]]);
   }
-  return finish();
+  last_ = x;
+  has_derivatives_ = true;
+  return chi_squared_ = finish();
 }
 
 double Residuals::smallest_rise() const {

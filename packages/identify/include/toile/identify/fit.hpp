@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "toile/identify/problem.hpp"
@@ -8,11 +10,18 @@
 
 namespace toile::identify {
 
-/// One search with its polish.
+/// chi^2 with the clamped strips before and after the polish with them.
+struct StripPolish {
+  double before, after;
+};
+
+/// One search with its polish. Where a fitted curve is a clamped strip, both take a homogeneous state in its place, and
+/// the best start is polished again with the strips.
 struct Start {
   unsigned seed;
   double searched, polished;  ///< chi^2 after each
   std::vector<double> x;
+  std::optional<StripPolish> strips = {};
 };
 
 struct FitResult {
@@ -24,8 +33,13 @@ struct FitResult {
   const std::vector<double>& x() const { return starts[best].x; }
 };
 
-/// Called with the part of the work that is done (0..1) and the smallest chi^2 of the current start.
-using FitProgress = std::function<void(double, double)>;
+/// How far a fit is. Its phases, one after the other, take times that cannot be told from each other.
+struct FitState {
+  std::string phase;
+  double part;         ///< of the phase that is done, 0..1
+  double chi_squared;  ///< smallest one of the current start
+};
+using FitProgress = std::function<void(const FitState&)>;
 
 /// Runs every start. The same problem and seed give the same result, to the last bit.
 FitResult fit(const FitProblem& problem, const Algorithm& algorithm, const FitProgress& progress);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/material/material.hpp"
+#include "toile/identify/forward_model.hpp"
 
 namespace toile::identify {
 
@@ -29,17 +29,16 @@ struct TestPoint {
 /// parameters follow from the implicit function theorem: with E_u the free strains, dS_x = dS_x|_E - D_xu D_uu^-1
 /// dS_u|_E.
 ///
-/// Holds its work arrays, so that evaluating allocates nothing: one object a thread.
-class Homogeneous {
+/// Evaluating allocates nothing.
+class Homogeneous final : public ForwardModel {
  public:
   explicit Homogeneous(const std::vector<TestPoint>& points);
 
-  int size() const { return n_; }
-  /// Nominal stress P_xx [n] (MPa) for `params` [n_params] (uniform); NaN where there is no such state or Newton's
-  /// method does not find it. Returns their number. A point's result does not depend on the points beside it.
-  int stress(const material::MaterialV1& law, const double* params, double* stress);
-  /// The same, and gradient [n_params][n] of it. A parameter that is a choice has zeros.
-  int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress, double* gradient);
+  int size() const override { return n_; }
+  /// Nominal stress P_xx. A point's result does not depend on the points beside it.
+  int stress(const material::MaterialV1& law, const double* params, double* stress) override;
+  int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
+                          double* gradient) override;
   /// Transverse stretch l and shear k, [n] each, of the last evaluation.
   const std::vector<double>& lateral() const { return lateral_; }
   const std::vector<double>& shear() const { return shear_; }

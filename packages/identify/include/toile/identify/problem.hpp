@@ -38,6 +38,8 @@ class FitProblem {
   const std::vector<LinearCondition>& conditions() const { return conditions_; }
   const std::vector<Curve>& curves() const { return curves_; }
   bool keeps_rising() const { return keeps_rising_; }
+  /// Whether a curve that is fitted is a clamped strip.
+  bool fits_strips() const;
 
   /// params [n_params] of a candidate.
   std::vector<double> params(const std::vector<double>& x) const;

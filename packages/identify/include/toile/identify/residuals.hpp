@@ -2,19 +2,17 @@
 
 #include <vector>
 
-#include "toile/identify/homogeneous.hpp"
+#include "toile/identify/curve_models.hpp"
 #include "toile/identify/problem.hpp"
 
 namespace toile::identify {
 
 /// Sum of weighted squared residuals of a problem's fitted curves: chi^2 = sum_i w_i ((P_i - d_i)/sigma_i)^2, and the
-/// rises of the fit from each stretch to the next. Holds work arrays: one object a thread.
-///
-/// This is the forward model's only door: a model of the clamped strip by finite elements would answer stresses and
-/// their derivatives at the same points in place of Homogeneous.
+/// rises of the fit from each stretch to the next. Holds work arrays: one object a thread. What was evaluated last is
+/// not evaluated again.
 class Residuals {
  public:
-  explicit Residuals(const FitProblem& problem);
+  explicit Residuals(const FitProblem& problem, Fidelity fidelity = Fidelity::as_asked);
 
   int count() const { return static_cast<int>(data_.size()); }  ///< fitted points
   int rises() const { return static_cast<int>(rise_.size()); }
@@ -36,10 +34,13 @@ class Residuals {
 
  private:
   double finish();
-  static std::vector<TestPoint> fitted_points(const FitProblem& problem);
 
   const FitProblem& problem_;
-  Homogeneous states_;
+  std::unique_ptr<ForwardModel> model_;
+  /// The candidate of the last evaluation, its chi^2, and whether its derivatives are there.
+  std::vector<double> last_;
+  double chi_squared_ = hopeless;
+  bool has_derivatives_ = false;
   std::vector<double> data_, factor_;  ///< [count]; factor: sqrt(weight) / sigma
   std::vector<int> rise_from_;         ///< a rise is from this point to the next
   std::vector<double> rise_scale_;

@@ -1,11 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "toile/identify/fit.hpp"
 
 namespace toile::identify {
+
+/// What is to be known of a clamped strip at the result; NaN if a state is missing.
+struct StripReport {
+  int across, along;  ///< elements
+  /// Largest, over the largest stress: from a mesh twice as fine, by Richardson's extrapolation.
+  double mesh_error;
+  double homogeneous;  ///< deviation of a homogeneous state of the same law at the last point, over the stress there
+};
 
 /// How a curve and the fit differ. Deviations are fit minus data, over the points where the law has such a state.
 struct CurveReport {
@@ -19,6 +28,7 @@ struct CurveReport {
   double largest_relative;     ///< the same over the largest stress of the data
   double largest_at;           ///< its stretch
   double end_relative;         ///< deviation at the last point over the data there; NaN if it is missing
+  std::optional<StripReport> strip = {};
 };
 
 std::vector<CurveReport> curve_reports(const FitProblem& problem, const std::vector<double>& params);
