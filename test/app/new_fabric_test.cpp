@@ -81,7 +81,7 @@ TEST_F(NewFabric, PlugIn) {
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.err,
                 AllOf(StartsWith("toile: scene.xml: scene > Plug-ins > holzapfel-gasser-ogden: parameter \"file\" = "
-                                 "\"hgo.so\": the scene wants to run the program in /"),
+                                 "\"hgo.so\": this would run the program in /"),
                       HasSubstr("allow that with the option --allow-plugins")));
   }
   const Outcome description = toile("describe Materials --scene scene.xml --allow-plugins");
