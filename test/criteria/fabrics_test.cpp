@@ -124,7 +124,7 @@ TEST(Fabrics, PairsRefutePolyconvexityOfAnEllipticState) {
 // or a clean refusal, and derivatives that are those of the energy.
 TEST(Fabrics, StiffAndExtremeStatesGiveNumbersOrARefusal) {
   std::vector<Fabric> fabrics;
-  for (const material::test::Case& one : material::test::registered_cases())
+  for (const material::test::Case& one : material::test::registered_cases({0.05, 0.4, 0.85, 1.0}))
     fabrics.push_back({one.name, one.law, one.params});
   for (const Fabric& fabric : published_fabrics())
     for (const Fabric& literal : literal_form(fabric)) fabrics.push_back(literal);

@@ -96,8 +96,8 @@ inline std::vector<double> declared_values(const MaterialV1& material, double sh
   return params;
 }
 
-/// Every material with every published set that it accepts, or with values from its ranges if it has none.
-inline std::vector<Case> registered_cases() {
+/// Every material with every published set that it accepts, or if it has none with values at `shares` of its ranges.
+inline std::vector<Case> registered_cases(const std::vector<double>& shares = {0.4, 0.85, 1.0}) {
   std::vector<Case> all;
   for (const MaterialV1* material : registry()) {
     const std::size_t before = all.size();
@@ -106,7 +106,7 @@ inline std::vector<Case> registered_cases() {
       if (accepts(*material, params))
         all.push_back({std::string(material->name) + " " + material->sets[i].name, material, params});
     }
-    for (const double share : {0.1, 0.4, 0.85, 1.0}) {
+    for (const double share : shares) {
       const std::vector<double> params = declared_values(*material, share);
       if (material->n_sets == 0 && accepts(*material, params))
         all.push_back({std::string(material->name) + " at " + std::to_string(share), material, params});
