@@ -81,7 +81,7 @@ TEST_F(NewFabric, PlugIn) {
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.err,
                 AllOf(StartsWith("toile: scene.xml: scene > Plug-ins > holzapfel-gasser-ogden: parameter \"file\" = "
-                                 "\"hgo.so\": the scene wants to run the program in /"),
+                                 "\"hgo.so\": this would run the program in /"),
                       HasSubstr("allow that with the option --allow-plugins")));
   }
   const Outcome description = toile("describe Materials --scene scene.xml --allow-plugins");
@@ -91,6 +91,65 @@ TEST_F(NewFabric, PlugIn) {
 
   write_strip(neo_hookean);
   expect_same_numbers(without_fibres, last_force());
+}
+
+// The author's path with the shipped files: built, checked, fitted and used; check and fit are refused until the
+// plug-in is allowed, and a refused fit writes nothing.
+TEST_F(NewFabric, CheckFitAndUse) {
+  std::filesystem::create_directories(path("fabrics"));
+  for (const char* name : {"fung_orthotropic.cpp", "fung.xml"})
+    std::filesystem::copy_file(fabrics + name, path("fabrics/") + name);
+  std::filesystem::copy(TOILE_SOURCE_DIR "/input/identify", path("identify"));
+  EXPECT_EQ(toile("material build fabrics/fung_orthotropic.cpp").status, 0);
+
+  const std::string what = " > Plug-ins > fung-orthotropic: parameter \"file\" = ";
+  const Outcome unchecked = toile("material check fabrics/fung.xml --output map");
+  EXPECT_EQ(unchecked.status, 2);
+  EXPECT_THAT(unchecked.err, AllOf(StartsWith("toile: fabrics/fung.xml: fabric" + what),
+                                   HasSubstr("allow that with the option --allow-plugins")));
+  const Outcome checked = toile("material check fabrics/fung.xml --output map --allow-plugins");
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("fung (fung-orthotropic): passed"));
+
+  const Outcome unfitted = toile("identify identify/fung.xml --output fit");
+  EXPECT_EQ(unfitted.status, 2);
+  EXPECT_THAT(unfitted.err, AllOf(StartsWith("toile: identify/fung.xml: fit" + what),
+                                  HasSubstr("allow that with the option --allow-plugins")));
+  EXPECT_FALSE(exists("fit"));
+  const Outcome fitted = toile("identify identify/fung.xml --output fit --allow-plugins");
+  EXPECT_EQ(fitted.status, 0) << fitted.err;
+  EXPECT_THAT(fitted.out, HasSubstr("let it include fit/include.xml"));
+  EXPECT_THAT(toile("identify identify/fung.xml --describe --allow-plugins").out, HasSubstr("Factor of E11^2 (wale)"));
+
+  EXPECT_THAT(toile("material check fit/include.xml fitted --output map --allow-plugins").out,
+              HasSubstr("fitted (fung-orthotropic): passed"));
+  const std::string include = "<Parameter name=\"include\" type=\"Array(string)\" value=\"{fit/include.xml}\"/>";
+  write_scene("strip", {{"<ParameterList name=\"Materials\">", include + "<ParameterList name=\"Materials\">"},
+                        {"name=\"material\" type=\"string\" value=\"fabric\"",
+                         "name=\"material\" type=\"string\" value=\"fitted\""}});
+  EXPECT_GT(numbers(last_force("--allow-plugins")).back(), 0.0);
+}
+
+// A plug-in of another version is refused by a check and by a fit, which name the list, the version and the remedy.
+TEST_F(NewFabric, PlugInOfAnotherVersion) {
+  write("old.cpp",
+        "struct Stamp { int abi, lanes; const char *version, *compiler; };\n"
+        "struct PlugIn { Stamp stamp; char law[256]; };\n"
+        "extern \"C\" __attribute__((visibility(\"default\"))) const PlugIn toile_material = {{1, 1, \"0.0.1-abc\", "
+        "__VERSION__}, {}};\n");
+  EXPECT_THAT(toile("material build old.cpp").err, HasSubstr("built for another Toile"));
+  const std::string plugins = "<ParameterList name=\"Plug-ins\"><ParameterList name=\"old\">" + word("file", "old.so") +
+                              "</ParameterList></ParameterList>";
+  write("fabric.xml", "<ParameterList name=\"fabric\">" + plugins + "</ParameterList>");
+  write("fit.xml", "<ParameterList name=\"fit\">" + plugins + "</ParameterList>");
+  for (const std::string command : {"material check fabric", "identify fit"}) {
+    const Outcome refused = toile(command + ".xml --allow-plugins");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr(" > Plug-ins > old: parameter \"file\" = \"old.so\": old.so: this plug-in was "
+                                "built for another Toile; its version is 0.0.1-abc, that of this Toile is "),
+                      HasSubstr("Build it again with toile material build")));
+  }
 }
 
 // The shipped scene of a plug-in runs as its comment says.
@@ -132,6 +191,37 @@ TEST_F(NewFabric, FormulaThatDoesNotParse) {
                  "13: expected an operator or \")\"\n  mu/2*(I1 - 3\n              ^\n"));
   write_strip("\"typed\"/>" + real("mu", "0.03"), formulas("mu/2*(Il - 3)"));
   EXPECT_THAT(toile("run scene.xml").err, HasSubstr("character 7: unknown name \"Il\"; did you mean \""));
+}
+
+// The same in the file of a check and in that of a fit.
+TEST_F(NewFabric, FormulaThatDoesNotParseElsewhere) {
+  for (const auto& [root, command] :
+       {std::pair<std::string, std::string>{"fabric", "material check"}, {"fit", "identify"}}) {
+    write("file.xml", "<ParameterList name=\"" + root + "\">" + formulas("mu/2*(I1 - 3") + "</ParameterList>");
+    const Outcome refused = toile(command + " file.xml");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err,
+                StartsWith("toile: file.xml: " + root +
+                           " > Formulas > typed: parameter \"energy\" = \"mu/2*(I1 - 3\": character 13: expected an "
+                           "operator or \")\"\n  mu/2*(I1 - 3\n              ^\n"));
+  }
+}
+
+// A formula in a fabric's file is checked like any law: the neo-Hookean energy passes, one that is not stable in
+// tension fails.
+TEST_F(NewFabric, FormulaIsChecked) {
+  const auto check = [&](const std::string& energy) {
+    write("fabric.xml", "<ParameterList name=\"fabric\">" + formulas(energy) + "<ParameterList name=\"Material\">" +
+                            word("type", "typed") + real("mu", "0.03") +
+                            "</ParameterList><ParameterList name=\"Check\"><Parameter name=\"points\" type=\"int\" "
+                            "value=\"12\"/><Parameter name=\"shear points\" type=\"int\" value=\"3\"/>"
+                            "</ParameterList></ParameterList>");
+    return toile("material check fabric.xml");
+  };
+  EXPECT_EQ(check("mu/2*(I1 - 3)").status, 0);
+  const Outcome unstable = check("mu/2*ln(I1 - 2)");
+  EXPECT_EQ(unstable.status, 4);
+  EXPECT_THAT(unstable.err, HasSubstr("ellipticity in tension"));
 }
 
 // A formula with stress in its natural state is refused with the values.

@@ -40,6 +40,13 @@ std::string fit_error(const std::string& law, const std::string& free, const std
   return base::test::input_error([&] { FitProblem problem(input); });
 }
 
+/// What is said of the file itself, before its problem is made.
+std::string input_file_error(const std::string& law, const std::string& free) {
+  const FitFolder folder;
+  folder.write_fit(law, free, "", wale, "");
+  return base::test::input_error([&] { (void)folder.read(); });
+}
+
 // A data file without a column of the load or the elongation: what is there, what would do, with its units.
 TEST(BadData, MissingColumn) {
   EXPECT_EQ(data_error("stretch [-], load [N]\n1.1, 2\n"),
@@ -176,6 +183,24 @@ TEST(BadFit, Intervals) {
               HasSubstr("parameter \"upper\" = 1: must be larger than \"lower\" = 2"));
   EXPECT_THAT(fit_error(parameter("type", "string", "rebar"), free_parameter("c0", -1.0, 1.0, true)),
               HasSubstr("parameter \"scale\" = \"logarithmic\": logarithmic needs a positive \"lower\", which is -1"));
+}
+
+// A value to start from that its own interval excludes; one of a published set is moved into it.
+TEST(BadFit, StartOutsideItsInterval) {
+  EXPECT_THAT(fit_error(material + parameter("C10", "double", "2"), mu),
+              HasSubstr("fit > Material > knit: parameter \"C10\" = 2: is where the search starts, but outside what "
+                        "\"Free\" allows: 0.001 <= value <= 1"));
+  const FitFolder folder;
+  folder.write("wale.csv", good_data);
+  folder.write_fit(material + parameter("set", "string", "pantyhose"), free_parameter("C10", 0.5, 1.0), "", wale, "");
+  const FitProblem problem(folder.read());
+  EXPECT_EQ(problem.params(problem.first_candidate())[0], 0.5);
+}
+
+// A value, of a start or fixed, that the material does not allow at all.
+TEST(BadFit, ValueOutsideTheMaterialsRange) {
+  EXPECT_THAT(input_file_error(material + parameter("C10", "double", "-0.1"), mu),
+              HasSubstr("fit > Material > knit: parameter \"C10\" is out of range: -0.1 MPa, allowed: > 0 MPa"));
 }
 
 // A parameter that is neither given nor free; conditions on parameters that there are not, or that nothing can meet.

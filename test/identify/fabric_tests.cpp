@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "material/evaluation.hpp"
+#include "toile/material/read_laws.hpp"
 
 namespace toile::identify::test {
 namespace {
@@ -81,7 +82,8 @@ std::string free_parameter(const std::string& name, double lower, double upper, 
 }
 
 void FitFolder::write_fit(const std::string& material, const std::string& free, const std::string& constraints,
-                          const std::vector<VirtualTest>& tests, const std::string& algorithm) const {
+                          const std::vector<VirtualTest>& tests, const std::string& algorithm,
+                          const std::string& more) const {
   std::string data;
   for (const VirtualTest& test : tests)
     data += list(test.name, parameter("file", "string", test.name + ".csv") + parameter("kind", "string", test.kind) +
@@ -90,11 +92,14 @@ void FitFolder::write_fit(const std::string& material, const std::string& free, 
                                 parameter("noise", "double", "0.002") + parameter("relative noise", "double", "0.02"));
   write("fit.xml",
         list("fit", list("Material", list("knit", material)) + list("Free", free) + list("Constraints", constraints) +
-                        list("Data", data) + list("Algorithm", algorithm)));
+                        list("Data", data) + list("Algorithm", algorithm) + more));
 }
 
 base::List FitFolder::read() const {
-  return base::read_xml(path("fit.xml"), fit_spec());
+  return base::read_xml(path("fit.xml"), fit_spec(laws()));
+}
+material::Laws FitFolder::laws() const {
+  return material::read_laws(path("fit.xml"), "fit", false);
 }
 
 std::vector<double> exact(const Curve& curve) {

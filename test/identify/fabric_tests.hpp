@@ -30,10 +30,13 @@ class FitFolder {
   void write(const std::string& file, const std::string& text) const;
   /// 30 points of each test, each stress with a relative normal error of `noise`; always the same ones.
   void measure(const std::vector<VirtualTest>& tests, double noise) const;
-  /// Writes fit.xml: `material` and `free` as XML, the tests as its data.
+  /// Writes fit.xml: `material` and `free` as XML, the tests as its data, and `more` lists.
   void write_fit(const std::string& material, const std::string& free, const std::string& constraints,
-                 const std::vector<VirtualTest>& tests, const std::string& algorithm) const;
+                 const std::vector<VirtualTest>& tests, const std::string& algorithm,
+                 const std::string& more = "") const;
+  /// fit.xml, and the laws that it may name.
   base::List read() const;
+  material::Laws laws() const;
   std::string path(const std::string& file) const { return folder_ + "/" + file; }
 
  private:

@@ -78,17 +78,47 @@ struct Case {
   std::vector<double> params;
 };
 
-/// Every material with every published set that it accepts or with values of this file, and every reading of the rebar
-/// model.
-inline std::vector<Case> cases() {
+inline bool accepts(const MaterialV1& material, const std::vector<double>& params) {
+  std::array<char, 512> message;
+  return material.check == nullptr || material.check(material.context, params.data(), message.data(), 512) == 0;
+}
+
+/// Values of a law from the ranges that it declares, for one without published sets: its defaults, and where it has
+/// none `share` of the way through the range, or 0.08 above the least value if there is no greatest one.
+inline std::vector<double> declared_values(const MaterialV1& material, double share) {
+  std::vector<double> params;
+  for (int i = 0; i < material.n_params; ++i) {
+    const ParamInfo& info = material.info[i];
+    const double lower = std::isfinite(info.lower) ? info.lower : 0.0;
+    const double between = std::isfinite(info.upper) ? lower + share * (info.upper - lower) : lower + 0.08;
+    params.push_back(std::isnan(info.fallback) ? between : info.fallback);
+  }
+  return params;
+}
+
+/// Every material with every published set that it accepts, or if it has none with values at `shares` of its ranges.
+inline std::vector<Case> registered_cases(const std::vector<double>& shares = {0.4, 0.85, 1.0}) {
   std::vector<Case> all;
-  for (const MaterialV1* material : registry())
+  for (const MaterialV1* material : registry()) {
+    const std::size_t before = all.size();
     for (int i = 0; i < material->n_sets; ++i) {
-      std::array<char, 512> message;
-      std::vector<double> params = values(material->name, material->sets[i].name);
-      if (material->check(material->context, params.data(), message.data(), 512) != 0) continue;
-      all.push_back({std::string(material->name) + " " + material->sets[i].name, material, params});
+      const std::vector<double> params = values(material->name, material->sets[i].name);
+      if (accepts(*material, params))
+        all.push_back({std::string(material->name) + " " + material->sets[i].name, material, params});
     }
+    for (const double share : shares) {
+      const std::vector<double> params = declared_values(*material, share);
+      if (material->n_sets == 0 && accepts(*material, params))
+        all.push_back({std::string(material->name) + " at " + std::to_string(share), material, params});
+    }
+    if (all.size() == before) throw std::runtime_error(std::string("no values for the material ") + material->name);
+  }
+  return all;
+}
+
+/// These, every reading of the rebar model, and swapped axes.
+inline std::vector<Case> cases() {
+  std::vector<Case> all = registered_cases();
   const MaterialV1& rebar = law("rebar");
   for (double strain : {0.0, 1.0, 2.0})
     for (double modulus : {0.0, 1.0}) {
@@ -99,9 +129,6 @@ inline std::vector<Case> cases() {
     }
   const MaterialV1& itskov = law("itskov");
   all.push_back({"itskov swapped", &itskov, with(itskov, values("itskov", "t-shirt"), "swap axes", 1.0)});
-  for (const char* name : {"hencky", "isotropic-elastic"})
-    for (const std::vector<double>& params : {std::vector<double>{0.08, 0.3}, {0.08, -0.4}, {0.08, 0.5}})
-      all.push_back({name + (" " + std::to_string(params[1])), &law(name), params});
   return all;
 }
 

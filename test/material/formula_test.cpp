@@ -195,5 +195,20 @@ TEST(Formulas, messages) {
               HasSubstr("there is a law named \"rebar\" already"));
 }
 
+// A parameter whose range is empty, or whose default is outside it, is refused where it is declared.
+TEST(Formulas, ranges) {
+  Teuchos::ParameterList list = formulas("mine", "mu*(I1 - 3)");
+  Teuchos::ParameterList& mu = list.sublist("mine").sublist("Parameters").sublist("mu");
+  mu.set("value", 3.0);
+  EXPECT_THAT(input_error([&] { laws_of(list); }),
+              HasSubstr("scene.xml: Formulas > mine > Parameters > mu: parameter \"value\" = 3: the default is outside "
+                        "the parameter's own range: 0 <= value <= 2"));
+  mu.set("upper", -1.0);
+  EXPECT_THAT(
+      input_error([&] { laws_of(list); }),
+      HasSubstr("Formulas > mine > Parameters > mu: parameter \"upper\" = -1: the range is empty: \"lower\" must "
+                "not be above \"upper\""));
+}
+
 }  // namespace
 }  // namespace toile::material::test

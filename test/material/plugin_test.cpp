@@ -142,10 +142,9 @@ TEST(PlugIn, other_version) {
 TEST(PlugIns, only_if_allowed) {
   Laws laws;
   const base::List list = plugins_list("mine", "mine.so", "/somewhere/scene.xml");
-  EXPECT_EQ(
-      input_error([&] { add_plugins(list, false, laws); }),
-      "/somewhere/scene.xml: Plug-ins > mine: parameter \"file\" = \"mine.so\": the scene wants to run the program "
-      "in /somewhere/mine.so. If you trust it, allow that with the option --allow-plugins");
+  EXPECT_EQ(input_error([&] { add_plugins(list, false, laws); }),
+            "/somewhere/scene.xml: Plug-ins > mine: parameter \"file\" = \"mine.so\": this would run the program "
+            "in /somewhere/mine.so. If you trust it, allow that with the option --allow-plugins");
   EXPECT_EQ(laws.all().size(), registry().size());
 }
 

@@ -19,7 +19,7 @@ struct MaterialCheckArguments {
   std::string material;        ///< one of the scene's
   std::string output = "";     ///< folder of maps; empty: results/<name of the file>-check
   bool all = false;            ///< every published set instead of a file
-  bool allow_plugins = false;  ///< the scene may load programs
+  bool allow_plugins = false;  ///< the file may load programs
 };
 
 /// What the command line says of a fit.
@@ -27,6 +27,7 @@ struct IdentifyArguments {
   std::string file;         ///< XML file
   std::string output = "";  ///< folder of the results; empty: that of the file, or results/<name of the file>
   bool quiet = false;
+  bool allow_plugins = false;  ///< the file may load programs
 };
 
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
@@ -38,7 +39,7 @@ int describe(bool markdown, const std::string& list, const std::string& scene, b
 int build_material(const std::string& source, const std::string& output, bool verbose);
 int check_material(const MaterialCheckArguments& arguments);
 int identify(const IdentifyArguments& arguments);
-/// Prints the input reference of a fit file.
-int describe_fit(bool markdown);
+/// Prints the input reference of a fit file; of `arguments.file`, if it is not empty, with its plug-ins and formulas.
+int describe_fit(const IdentifyArguments& arguments, bool markdown);
 
 }  // namespace toile::app

@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "toile/base/error.hpp"
 #include "toile/criteria/check.hpp"
+#include "toile/material/read_laws.hpp"
 #include "toile/scene/scene.hpp"
 
 namespace toile::app {
@@ -21,7 +22,7 @@ const std::string markdown_title =
 base::Spec fabric_file() {
   base::Spec spec("fabric",
                   "File of `toile material check`: list Material (required; holds what scene > Materials > <material> "
-                  "does) and list Check.");
+                  "does), lists Plug-ins and Formulas as in a scene, and list Check.");
   return spec.add(base::include_parameter()).list(criteria::check_spec());
 }
 
@@ -29,7 +30,7 @@ base::Spec fabric_file() {
 
 int check(const std::string& file, bool allow_plugins) {
   base::Timer timer;
-  const material::Laws laws = scene::read_laws(file, allow_plugins);
+  const material::Laws laws = material::read_laws(file, "scene", allow_plugins);
   const base::List list = base::read_xml(file, scene::scene_spec(laws));
   const scene::Scene scene(list, 1, timer, laws);
   if (Tpetra::getDefaultComm()->getRank() == 0)
@@ -40,7 +41,7 @@ int check(const std::string& file, bool allow_plugins) {
 }
 
 int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
-  const material::Laws laws = scene.empty() ? material::Laws() : scene::read_laws(scene, allow_plugins);
+  const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
   std::vector<base::Spec> specs = {scene::scene_spec(laws), fabric_file()};
   if (!name.empty()) {
     base::Texts valid;

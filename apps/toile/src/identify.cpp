@@ -15,6 +15,7 @@
 #include "toile/base/progress.hpp"
 #include "toile/base/timer.hpp"
 #include "toile/identify/report.hpp"
+#include "toile/material/read_laws.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
 
@@ -171,8 +172,9 @@ int identify(const IdentifyArguments& arguments) {
   if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
   base::Log log(std::cout, std::cerr, arguments.quiet);
   base::Timer timer;
-  const base::List list = base::read_xml(arguments.file, identify::fit_spec());
-  const identify::FitProblem problem(list);
+  const material::Laws laws = material::read_laws(arguments.file, "fit", arguments.allow_plugins);
+  const base::List list = base::read_xml(arguments.file, identify::fit_spec(laws));
+  const identify::FitProblem problem(list, laws);
   const std::string folder = folder_of(arguments, list);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
@@ -187,6 +189,7 @@ int identify(const IdentifyArguments& arguments) {
   const std::string report = identify::report_text(problem, result, reports, statistics);
 
   write_text(folder + "/material.xml", identify::material_xml(problem, result.params));
+  write_text(folder + "/include.xml", identify::include_xml(problem, result.params, list, folder));
   write_text(folder + "/report.txt", report);
   result::write_csv(folder + "/curves.csv", curve_table(problem.curves(), reports));
   result::write_csv(folder + "/residuals.csv", residual_table(reports));
@@ -196,11 +199,14 @@ int identify(const IdentifyArguments& arguments) {
   const auto warning = result::write_plot(folder, "curves", curve_plot(list.word("title"), problem.curves(), reports));
   if (warning) log.warn(*warning);
   log.info(report + identify::material_xml(problem, result.params));
+  if (material::find(problem.law().name) == nullptr)
+    log.info("A scene needs the law of this material too: let it include " + folder + "/include.xml, which holds both");
   return static_cast<int>(base::ExitCode::success);
 }
 
-int describe_fit(bool markdown) {
-  const base::Spec spec = identify::fit_spec();
+int describe_fit(const IdentifyArguments& arguments, bool markdown) {
+  const base::Spec spec = identify::fit_spec(
+      arguments.file.empty() ? material::Laws() : material::read_laws(arguments.file, "fit", arguments.allow_plugins));
   if (Tpetra::getDefaultComm()->getRank() == 0)
     std::cout << (markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
   return static_cast<int>(base::ExitCode::success);

@@ -20,8 +20,7 @@ constexpr const char* footer =
     "Exit status: 0 success, 1 internal error, 2 bad input or command line, 3 a solve failed (the last converged state "
     "is on disk), 4 a check of the scene or of a fabric did not hold.";
 
-constexpr const char* allow_text =
-    "Load the plug-ins that the scene names; they are programs that run with your rights";
+constexpr const char* allow_text = "Load the plug-ins that the file names; they are programs that run with your rights";
 
 int report(const std::string& message, ExitCode code) {
   if (Tpetra::getDefaultComm()->getRank() == 0) std::cerr << "toile: " << message << std::endl;
@@ -135,7 +134,9 @@ int dispatch(int argc, char** argv) {
   identify->add_option("--output", fit_arguments.output, "Folder of the results (default: results/<name of the file>)")
       ->type_name("DIR");
   identify->add_flag("--quiet", fit_arguments.quiet, "Print errors and warnings only");
-  CLI::Option* describing = identify->add_flag("--describe", describe_fit, "Print every parameter of a fit file");
+  identify->add_flag("--allow-plugins", fit_arguments.allow_plugins, allow_text);
+  CLI::Option* describing = identify->add_flag("--describe", describe_fit,
+                                               "Print every parameter of a fit file (of this one: its own laws too)");
   identify->add_flag("--markdown", markdown, "With --describe: as Markdown")->needs(describing);
   identify->callback([&] {
     if (!describe_fit && fit_file->count() == 0) throw CLI::RequiredError("fit");
@@ -160,7 +161,7 @@ int dispatch(int argc, char** argv) {
   if (const int status = parse(app, argc, argv); status >= 0) return status;
   if (run->parsed()) return toile::app::run(arguments);
   if (identify->parsed())
-    return describe_fit ? toile::app::describe_fit(markdown) : toile::app::identify(fit_arguments);
+    return describe_fit ? toile::app::describe_fit(fit_arguments, markdown) : toile::app::identify(fit_arguments);
   if (check->parsed()) return toile::app::check(scene, allow_plugins);
   if (check_material->parsed()) return toile::app::check_material(fabric);
   if (build->parsed()) return toile::app::build_material(source, library, verbose);

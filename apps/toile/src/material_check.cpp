@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "material_map.hpp"
 #include "toile/base/error.hpp"
+#include "toile/material/read_laws.hpp"
 #include "toile/scene/scene.hpp"
 
 namespace toile::app {
@@ -16,12 +17,13 @@ struct Task {
   criteria::Request request;
 };
 
-/// One material of a scene; nothing else of it is built.
+/// One material of a scene; nothing else of it is read.
 Task task_of_scene(const MaterialCheckArguments& arguments) {
-  const material::Laws laws = scene::read_laws(arguments.file, arguments.allow_plugins);
-  const base::List list = base::read_xml(arguments.file, scene::scene_spec(laws));
+  const material::Laws laws = material::read_laws(arguments.file, "scene", arguments.allow_plugins);
+  const auto materials = base::read_part(arguments.file, "scene", scene::materials_spec(laws));
+  if (!materials) throw base::InputError(arguments.file + ": scene: missing list \"Materials\"");
   base::Texts names;
-  for (const base::List& entry : list.list("Materials").entries()) {
+  for (const base::List& entry : materials->entries()) {
     if (entry.name() == arguments.material)
       return {laws, criteria::fabrics_of(material::Material(entry, laws), arguments.material), {}};
     names.push_back(entry.name());
@@ -31,9 +33,9 @@ Task task_of_scene(const MaterialCheckArguments& arguments) {
 }
 
 /// A scene that is given without the name of a material has many lists that a fabric's file does not know.
-base::List read_fabric(const std::string& file) {
+base::List read_fabric(const std::string& file, const material::Laws& laws) {
   try {
-    return base::read_xml(file, criteria::file_spec());
+    return base::read_xml(file, criteria::file_spec(laws));
   } catch (const base::InputError& error) {
     const std::string text = error.what();
     if (text.find("\"Materials\"") == std::string::npos) throw;
@@ -43,9 +45,10 @@ base::List read_fabric(const std::string& file) {
 }
 
 Task task_of_fabric(const MaterialCheckArguments& arguments) {
-  const base::List list = read_fabric(arguments.file);
+  const material::Laws laws = material::read_laws(arguments.file, "fabric", arguments.allow_plugins);
+  const base::List list = read_fabric(arguments.file, laws);
   const std::string name = std::filesystem::path(arguments.file).stem().string();
-  Task task{{}, criteria::fabrics_of(material::Material(list.list("Material")), name), {}};
+  Task task{laws, criteria::fabrics_of(material::Material(list.list("Material"), laws), name), {}};
   if (list.has_list("Check")) task.request = criteria::read_request(list.list("Check"));
   return task;
 }

@@ -12,6 +12,7 @@
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
 #include "toile/base/progress.hpp"
+#include "toile/material/read_laws.hpp"
 #include "toile/result/available.hpp"
 
 namespace toile::app {
@@ -81,7 +82,7 @@ int run(const RunArguments& arguments) {
   base::Timer timer;
   omp_set_num_threads(arguments.threads);
 
-  const material::Laws laws = scene::read_laws(arguments.scene, arguments.allow_plugins);
+  const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
   const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
   const scene::Scene scene(list, comm->getSize(), timer, laws);
   const std::string folder = folder_of(arguments);

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "toile/criteria/check.hpp"
+#include "toile/material/formula.hpp"
+#include "toile/material/plugin_files.hpp"
 
 namespace toile::criteria {
 namespace {
@@ -14,8 +16,8 @@ constexpr const char* list_text =
 constexpr double largest_map = 4e6;
 
 /// A scene's material under the fixed name of this file.
-base::Spec material_list() {
-  const base::Spec scene = material::material_spec();
+base::Spec material_list(const material::Laws& laws) {
+  const base::Spec scene = material::material_spec(laws);
   base::Spec spec("Material", "The fabric, as in a scene's list Materials.");
   for (const base::Parameter& parameter : scene.parameters()) {
     if (parameter.name == scene.selector())
@@ -66,9 +68,13 @@ base::Spec check_spec() {
   return spec;
 }
 
-base::Spec file_spec() {
+base::Spec file_spec(const material::Laws& laws) {
   base::Spec spec("fabric", "One fabric and how it is checked.");
-  return spec.add(base::include_parameter()).list(material_list(), true).list(check_spec());
+  return spec.add(base::include_parameter())
+      .list(material::plugins_spec())
+      .list(material::formulas_spec())
+      .list(material_list(laws), true)
+      .list(check_spec());
 }
 
 Request read_request(const base::List& list) {

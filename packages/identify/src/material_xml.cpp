@@ -1,8 +1,11 @@
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "toile/identify/report.hpp"
+#include "toile/material/plugin_files.hpp"
 
 namespace toile::identify {
 namespace {
@@ -14,8 +17,32 @@ std::string number(double value) {
   return {text.data(), end};
 }
 
+/// As the value of an attribute needs it.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
 std::string line(const std::string& name, const std::string& type, const std::string& value) {
-  return "  <Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
+  return "<Parameter name=\"" + escaped(name) + "\" type=\"" + type + "\" value=\"" + escaped(value) + "\"/>\n";
+}
+
+/// A list with `content`, whose lines are indented.
+std::string list(const std::string& name, const std::string& content) {
+  std::string text = "<ParameterList name=\"" + escaped(name) + "\">\n";
+  std::istringstream lines(content);
+  for (std::string one; std::getline(lines, one);) text += "  " + one + "\n";
+  return text + "</ParameterList>\n";
 }
 
 std::string word(const std::string& choices, int index) {
@@ -25,12 +52,31 @@ std::string word(const std::string& choices, int index) {
   return text;
 }
 
+/// An entry of "Formulas" again.
+std::string formula_xml(const base::List& formula) {
+  std::string parameters;
+  if (formula.has_list("Parameters"))
+    for (const base::List& p : formula.list("Parameters").entries()) {
+      std::string text = line("unit", "string", p.word("unit")) + line("text", "string", p.word("text"));
+      for (const char* name : {"value", "lower", "upper"})
+        if (p.given(name)) text += line(name, "double", number(p.real(name)));
+      parameters += list(p.name(), text);
+    }
+  return list(formula.name(), line("energy", "string", formula.word("energy")) +
+                                  line("text", "string", formula.word("text")) + list("Parameters", parameters));
+}
+
+/// An entry of "Plug-ins" for a file in `folder`.
+std::string plugin_xml(const base::List& plugin, const std::string& folder) {
+  return list(plugin.name(),
+              line("file", "string", std::filesystem::relative(material::plugin_path(plugin), folder).string()));
+}
+
 }  // namespace
 
 std::string material_xml(const FitProblem& problem, const std::vector<double>& params) {
   const material::MaterialV1& law = problem.law();
-  std::string text = "<ParameterList name=\"" + problem.material_name() + "\">\n" + line("type", "string", law.name) +
-                     line("thickness", "double", number(problem.thickness()));
+  std::string text = line("type", "string", law.name) + line("thickness", "double", number(problem.thickness()));
   for (int i = 0; i < law.n_params; ++i) {
     const material::ParamInfo& info = law.info[i];
     if (info.choices == nullptr) {
@@ -40,7 +86,20 @@ std::string material_xml(const FitProblem& problem, const std::vector<double>& p
     const bool is_flag = std::string(info.choices) == "false|true";
     text += line(info.name, is_flag ? "bool" : "string", word(info.choices, static_cast<int>(params[i])));
   }
-  return text + "</ParameterList>\n";
+  return list(problem.material_name(), text);
+}
+
+std::string include_xml(const FitProblem& problem, const std::vector<double>& params, const base::List& fit,
+                        const std::string& folder) {
+  std::string text;
+  for (const char* name : {"Plug-ins", "Formulas"}) {
+    if (!fit.has_list(name)) continue;
+    for (const base::List& entry : fit.list(name).entries())
+      if (entry.name() == problem.law().name)
+        text += list(name, name == std::string("Formulas") ? formula_xml(entry) : plugin_xml(entry, folder));
+  }
+  return "<!-- The fitted material and the law that it needs, for a scene's parameter \"include\". -->\n" +
+         list("scene", text + list("Materials", material_xml(problem, params)));
 }
 
 }  // namespace toile::identify

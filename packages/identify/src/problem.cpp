@@ -29,9 +29,9 @@ std::string text_of(double value) {
 
 }  // namespace
 
-FitProblem::FitProblem(const base::List& list) {
+FitProblem::FitProblem(const base::List& list, const material::Laws& laws) {
   const base::List material = only_material(list);
-  law_ = material::find(material.word("type"));
+  law_ = laws.find(material.word("type"));
   material_name_ = material.name();
   thickness_ = material.real("thickness");
   if (material.word("compression") != "full") material.fail("compression", "a fit needs the law itself: must be full");
@@ -96,6 +96,10 @@ void FitProblem::read_free(const base::List& free, const base::List& material) {
       entry.fail("upper", "must be larger than \"lower\" = " + text_of(parameter.lower));
     if (info.lower_open != 0 && parameter.lower == info.lower)
       entry.fail("lower", "must be larger than " + text_of(info.lower));
+    const double given = given_[static_cast<std::size_t>(index)];
+    if (material.given(info.name) && (given < parameter.lower || given > parameter.upper))
+      material.fail(info.name, "is where the search starts, but outside what \"Free\" allows: " +
+                                   base::Range::between(parameter.lower, parameter.upper).text());
     if (parameter.logarithmic && parameter.lower <= 0.0)
       entry.fail("scale", "logarithmic needs a positive \"lower\", which is " + text_of(parameter.lower));
     free_.push_back(parameter);

@@ -1,5 +1,6 @@
 #include "toile/identify/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -61,14 +62,22 @@ void write_parameters(std::ostream& out, const FitProblem& problem, const FitRes
   for (std::size_t k = 0; k < problem.free().size(); ++k) {
     const FreeParameter& p = problem.free()[k];
     const material::ParamInfo& info = problem.law().info[p.index];
-    out << "  " << info.name << " = " << result.params[p.index] << " " << info.unit << (*info.unit ? " " : "") << "+- ";
-    if (std::isfinite(statistics.deviation[k]))
-      out << statistics.deviation[k];
+    out << "  " << info.name << " = " << result.params[p.index] << (*info.unit ? " " : "") << info.unit;
+    if (statistics.at_bound[k] != 0)
+      out << ", held by its " << (statistics.at_bound[k] < 0 ? "lower" : "upper") << " bound";
+    else if (statistics.held[k])
+      out << ", held by conditions";
+    else if (std::isfinite(statistics.deviation[k]))
+      out << " +- " << statistics.deviation[k];
     else
-      out << "not determined";
-    if (statistics.at_bound[k] != 0) out << ", at its " << (statistics.at_bound[k] < 0 ? "lower" : "upper") << " bound";
+      out << " +- not determined";
     out << "\n";
   }
+  const bool any_held = std::count(statistics.held.begin(), statistics.held.end(), true) > 0;
+  if (any_held)
+    out << "  The data do not determine the deviation of a parameter that is held; the others are for it held\n";
+  for (const std::string& name : statistics.active_conditions)
+    out << "  On the edge of the condition \"" << name << "\": deviations are along it\n";
 }
 
 void write_correlations(std::ostream& out, const FitProblem& problem, const ParameterStatistics& statistics) {

@@ -3,7 +3,9 @@
 #include <limits>
 
 #include "toile/identify/curve.hpp"
-#include "toile/material/material.hpp"
+#include "toile/material/formula.hpp"
+#include "toile/material/given_values.hpp"
+#include "toile/material/plugin_files.hpp"
 
 namespace toile::identify {
 namespace {
@@ -21,8 +23,8 @@ Spec free_spec() {
       .choice("scale", "How the search divides the interval; logarithmic needs a positive lower bound.",
               {"linear", "logarithmic"}, std::string("linear"));
   return Spec("Free",
-              "The parameters to be found. A value that the material gives them as well (or its set) is one of "
-              "the first candidates.")
+              "The parameters to be found. A value that the material gives them as well is one of the first candidates "
+              "and must be within the bounds; one of its set or a default is moved into them.")
       .entries(spec, 1);
 }
 
@@ -54,14 +56,16 @@ Spec algorithm_spec() {
 
 }  // namespace
 
-Spec fit_spec() {
+Spec fit_spec(const material::Laws& laws) {
   return Spec("fit", "Identification of a material's parameters from tests of the fabric.")
       .word("title", "What is fitted.", std::string())
       .add(base::include_parameter())
+      .list(material::plugins_spec())
+      .list(material::formulas_spec())
       .list(Spec("Material",
                  "The fabric: one entry, as in the list Materials of a scene. Parameters in Free need no "
                  "value.")
-                .entries(material::material_spec(), 1),
+                .entries(material::fitted_material_spec(laws), 1),
             true)
       .list(free_spec(), true)
       .list(constraints_spec())

@@ -33,9 +33,57 @@ Eigen::MatrixXd scaled_jacobian(const FitProblem& problem, const FitResult& resu
   return J;
 }
 
+/// A candidate that is so near to a bound or a condition, over the intervals of the parameters, is on it.
+constexpr double near = 1e-6;
+
 int side(double x) {
-  constexpr double near = 1e-6;
   return x < near ? -1 : x > 1.0 - near ? 1 : 0;
+}
+
+bool is_active(const FitProblem& problem, const LinearCondition& condition, const std::vector<double>& params) {
+  double sum = 0.0, width = 0.0;
+  for (std::size_t i = 0; i < params.size(); ++i)
+    if (condition.factors[i] != 0.0) sum += condition.factors[i] * params[i];
+  for (const FreeParameter& p : problem.free()) width += std::abs(condition.factors[p.index]) * (p.upper - p.lower);
+  return width > 0.0 && sum > condition.bound - near * width;
+}
+
+/// Orthonormal directions [n_free][...] of p_k / scale_k that leave every active bound and condition as it is.
+Eigen::MatrixXd feasible_directions(const FitProblem& problem, const std::vector<double>& params,
+                                    const ParameterStatistics& statistics) {
+  const auto n = static_cast<Eigen::Index>(statistics.scale.size());
+  std::vector<Eigen::VectorXd> normals;
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (statistics.at_bound[static_cast<std::size_t>(k)] != 0) normals.push_back(Eigen::VectorXd::Unit(n, k));
+  for (const LinearCondition& condition : problem.conditions()) {
+    if (!is_active(problem, condition, params)) continue;
+    Eigen::VectorXd normal(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      normal[k] = statistics.scale[static_cast<std::size_t>(k)] * condition.factors[problem.free()[k].index];
+    normals.push_back(normal.normalized());
+  }
+  if (normals.empty()) return Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd N(n, static_cast<Eigen::Index>(normals.size()));
+  for (Eigen::Index c = 0; c < N.cols(); ++c) N.col(c) = normals[static_cast<std::size_t>(c)];
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(N);
+  qr.setThreshold(1e-9);
+  const Eigen::MatrixXd Q = qr.householderQ();
+  return Q.rightCols(n - qr.rank());
+}
+
+/// Of every column of `directions`, the best determined first. `J`: derivatives along these columns.
+std::vector<Combination> combinations(const Eigen::MatrixXd& J, const Eigen::MatrixXd& directions, double noise) {
+  std::vector<Combination> all;
+  if (J.cols() == 0) return all;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  const Eigen::MatrixXd V = directions * svd.matrixV();
+  for (Eigen::Index i = 0; i < V.cols(); ++i) {
+    const bool is_unseen = sigma[i] <= unseen * sigma[0];
+    all.push_back({{V.col(i).data(), V.col(i).data() + V.rows()},
+                   is_unseen ? std::numeric_limits<double>::infinity() : noise / sigma[i]});
+  }
+  return all;
 }
 
 }  // namespace
@@ -44,26 +92,29 @@ ParameterStatistics parameter_statistics(const FitProblem& problem, const FitRes
   ParameterStatistics statistics;
   statistics.scale = scales(problem, result.params);
   for (const double x : result.x()) statistics.at_bound.push_back(side(x));
-  const Eigen::MatrixXd J = scaled_jacobian(problem, result, statistics.scale);
-  const Eigen::Index n = J.cols();
-  statistics.noise = std::sqrt(result.chi_squared / static_cast<double>(std::max<Eigen::Index>(1, J.rows() - n)));
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
-  const Eigen::MatrixXd& V = svd.matrixV();
+  for (const LinearCondition& condition : problem.conditions())
+    if (is_active(problem, condition, result.params)) statistics.active_conditions.push_back(condition.name);
+  const Eigen::MatrixXd directions = feasible_directions(problem, result.params, statistics);
+  const Eigen::MatrixXd J = scaled_jacobian(problem, result, statistics.scale) * directions;
+  statistics.noise =
+      std::sqrt(result.chi_squared / static_cast<double>(std::max<Eigen::Index>(1, J.rows() - J.cols())));
+  statistics.combinations = combinations(J, directions, statistics.noise);
+
+  const Eigen::Index n = directions.rows();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
   std::vector<bool> open(static_cast<std::size_t>(n), false);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const bool is_unseen = sigma[i] <= unseen * sigma[0];
-    const double deviation = is_unseen ? std::numeric_limits<double>::infinity() : statistics.noise / sigma[i];
-    statistics.combinations.push_back({{V.col(i).data(), V.col(i).data() + n}, deviation});
-    if (!is_unseen) covariance += deviation * deviation * V.col(i) * V.col(i).transpose();
-    for (Eigen::Index k = 0; is_unseen && k < n; ++k)
-      open[static_cast<std::size_t>(k)] = open[static_cast<std::size_t>(k)] || std::abs(V(k, i)) > 1e-6;
+  for (const Combination& combination : statistics.combinations) {
+    const Eigen::Map<const Eigen::VectorXd> v(combination.factors.data(), n);
+    if (std::isfinite(combination.deviation))
+      covariance += combination.deviation * combination.deviation * v * v.transpose();
+    else
+      for (std::size_t k = 0; k < open.size(); ++k) open[k] = open[k] || std::abs(combination.factors[k]) > 1e-6;
   }
   for (Eigen::Index a = 0; a < n; ++a) {
-    statistics.deviation.push_back(open[static_cast<std::size_t>(a)]
-                                       ? std::numeric_limits<double>::infinity()
-                                       : statistics.scale[a] * std::sqrt(covariance(a, a)));
+    statistics.held.push_back(directions.row(a).norm() < 1e-9);
+    statistics.deviation.push_back(statistics.scale[a] * std::sqrt(covariance(a, a)));
+    if (open[a]) statistics.deviation.back() = std::numeric_limits<double>::infinity();
+    if (statistics.held[a]) statistics.deviation.back() = std::numeric_limits<double>::quiet_NaN();
     for (Eigen::Index b = 0; b < n; ++b) {
       statistics.covariance.push_back(statistics.scale[a] * statistics.scale[b] * covariance(a, b));
       statistics.correlation.push_back(covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b)));

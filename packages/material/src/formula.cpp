@@ -121,6 +121,15 @@ std::string variables_text() {
   return text;
 }
 
+FormulaParameter read_parameter(const base::List& list) {
+  const base::Range range = base::Range::between(list.real("lower"), list.real("upper"));
+  if (range.lower > range.upper) list.fail("upper", "the range is empty: \"lower\" must not be above \"upper\"");
+  const double value = list.real("value");
+  if (!std::isnan(value) && !range.contains(value))
+    list.fail("value", "the default is outside the parameter's own range: " + range.text());
+  return {list.name(), list.word("unit"), list.word("text"), value, range.lower, range.upper};
+}
+
 }  // namespace
 
 Laws::Law make_formula_law(const std::string& name, const std::string& text, const std::string& energy,
@@ -170,9 +179,7 @@ void add_formulas(const base::List& list, Laws& laws) {
   for (const base::List& entry : list.entries()) {
     std::vector<FormulaParameter> parameters;
     if (entry.has_list("Parameters"))
-      for (const base::List& p : entry.list("Parameters").entries())
-        parameters.push_back(
-            {p.name(), p.word("unit"), p.word("text"), p.real("value"), p.real("lower"), p.real("upper")});
+      for (const base::List& p : entry.list("Parameters").entries()) parameters.push_back(read_parameter(p));
     Laws::Law law;
     try {
       law = make_formula_law(entry.name(), entry.word("text"), entry.word("energy"), std::move(parameters));

@@ -24,11 +24,11 @@ std::string differences(const Stamp& stamp) {
          difference("compiler", stamp.compiler, __VERSION__);
 }
 
-std::string path_of(const base::List& entry) {
+}  // namespace
+
+std::string plugin_path(const base::List& entry) {
   return (fs::path(entry.file("file")).parent_path() / entry.word("file")).lexically_normal().string();
 }
-
-}  // namespace
 
 Laws::Law load_plugin(const std::string& library) {
   if (!fs::exists(library))
@@ -61,9 +61,9 @@ base::Spec plugins_spec() {
 
 void add_plugins(const base::List& list, bool allowed, Laws& laws) {
   for (const base::List& entry : list.entries()) {
-    const std::string library = path_of(entry);
+    const std::string library = plugin_path(entry);
     if (!allowed)
-      entry.fail("file", "the scene wants to run the program in " + fs::absolute(library).string() +
+      entry.fail("file", "this would run the program in " + fs::absolute(library).string() +
                              ". If you trust it, allow that with the option --allow-plugins");
     Laws::Law law;
     try {

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "toile/material/material.hpp"
+#include "toile/material/given_values.hpp"
 #include "words.hpp"
 
 namespace toile::material {
@@ -10,7 +10,18 @@ base::Range range_of(const ParamInfo& info) {
   return {info.lower, info.upper, info.lower_open != 0, false};
 }
 
-void add_parameter(base::Spec& spec, const ParamInfo& info, bool has_sets) {
+/// What may stand for a parameter that has no default: its own value (always), the law's published sets, a fit.
+struct Substitutes {
+  bool sets, fit;
+
+  bool any() const { return sets || fit; }
+  std::string text() const {
+    const std::string set = sets ? "'set' names a published set" : "", free = fit ? "it is in 'Free'" : "";
+    return " To be given, unless " + set + (sets && fit ? " or " : "") + free + ".";
+  }
+};
+
+void add_parameter(base::Spec& spec, const ParamInfo& info, const Substitutes& substitutes) {
   const std::vector<std::string> words = words_of(info);
   if (is_flag(words)) {
     spec.flag(info.name, info.text, info.fallback != 0.0);
@@ -19,14 +30,14 @@ void add_parameter(base::Spec& spec, const ParamInfo& info, bool has_sets) {
   } else {
     base::Parameter parameter{info.name, base::Type::real, info.unit, info.text, info.fallback, range_of(info)};
     const bool must_be_given = info.fallback != info.fallback;
-    if (must_be_given && has_sets) parameter.text += " To be given, unless 'set' names a published set.";
-    if (must_be_given && !has_sets) parameter.fallback = base::required;
+    if (must_be_given && substitutes.any()) parameter.text += substitutes.text();
+    if (must_be_given && !substitutes.any()) parameter.fallback = base::required;
     parameter.may_table = true;
     spec.add(parameter);
   }
 }
 
-base::Spec law_spec(const MaterialV1& law) {
+base::Spec law_spec(const MaterialV1& law, bool is_fitted) {
   base::Spec spec(law.name, law.text);
   if (law.n_sets > 0) {
     base::Texts names = {"none"};
@@ -37,7 +48,26 @@ base::Spec law_spec(const MaterialV1& law) {
     }
     spec.choice("set", text + '.', names, std::string("none"));
   }
-  for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i], law.n_sets > 0);
+  for (int i = 0; i < law.n_params; ++i) add_parameter(spec, law.info[i], {law.n_sets > 0, is_fitted});
+  return spec;
+}
+
+base::Spec spec_of(const Laws& laws, bool is_fitted) {
+  std::vector<base::Spec> variants;
+  for (const Laws::Law& law : laws.all()) variants.push_back(law_spec(*law, is_fitted));
+  base::Spec spec("material", "One fabric, by its energy W per reference volume, in plane stress.");
+  spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
+  spec.choice("compression",
+              "What compressed fabric does. full: it carries what its law says. tension field: it wrinkles and carries "
+              "tension only (energy relaxed over any wrinkle strain). slack fibres: its yarns, along wale and course, "
+              "carry no compression; in a law with fibres of its own (\"fibres in compression\" = off) that is full "
+              "already, in any other the energy is relaxed over shortening along the two axes.",
+              {"full", "slack fibres", "tension field"}, std::string("full"));
+  spec.real("residual stiffness", "",
+            "Stiffness of wrinkled and slack fabric that keeps the solution unique, as a part of the stiffness of the "
+            "undeformed fabric. Only where compression is relaxed.",
+            1e-4, base::Range{0.0, 0.1, true, false});
+  spec.variant("type", "Energy of the fabric.", std::move(variants));
   return spec;
 }
 
@@ -55,22 +85,11 @@ bool is_flag(const std::vector<std::string>& words) {
 }
 
 base::Spec material_spec(const Laws& laws) {
-  std::vector<base::Spec> variants;
-  for (const Laws::Law& law : laws.all()) variants.push_back(law_spec(*law));
-  base::Spec spec("material", "One fabric, by its energy W per reference volume, in plane stress.");
-  spec.real("thickness", "mm", "Thickness of the stress-free fabric.", 1.0, base::Range::positive());
-  spec.choice("compression",
-              "What compressed fabric does. full: it carries what its law says. tension field: it wrinkles and carries "
-              "tension only (energy relaxed over any wrinkle strain). slack fibres: its yarns, along wale and course, "
-              "carry no compression; in a law with fibres of its own (\"fibres in compression\" = off) that is full "
-              "already, in any other the energy is relaxed over shortening along the two axes.",
-              {"full", "slack fibres", "tension field"}, std::string("full"));
-  spec.real("residual stiffness", "",
-            "Stiffness of wrinkled and slack fabric that keeps the solution unique, as a part of the stiffness of the "
-            "undeformed fabric. Only where compression is relaxed.",
-            1e-4, base::Range{0.0, 0.1, true, false});
-  spec.variant("type", "Energy of the fabric.", std::move(variants));
-  return spec;
+  return spec_of(laws, false);
+}
+
+base::Spec fitted_material_spec(const Laws& laws) {
+  return spec_of(laws, true);
 }
 
 }  // namespace toile::material

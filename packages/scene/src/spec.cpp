@@ -1,5 +1,3 @@
-#include "spec.hpp"
-
 #include <limits>
 
 #include "toile/body/body.hpp"

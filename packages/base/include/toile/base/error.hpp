@@ -7,11 +7,11 @@ namespace toile::base {
 
 /// Exit status of the program, documented in doc/user-guide.md.
 enum class ExitCode : int {
-  success = 0,         ///< every stage reached its end and every check that the scene asks for held
+  success = 0,         ///< all that was asked for was done, and every check that was asked for held
   internal_error = 1,  ///< a fault of Toile itself
-  bad_input = 2,       ///< the command line, the scene or a file it names is not usable
+  bad_input = 2,       ///< the command line, the input file or a file that it names is not usable
   solve_failed = 3,    ///< a stage could not reach its end; the last converged state is on disk
-  check_failed = 4     ///< every stage was solved, but a check that the scene asks for did not hold
+  check_failed = 4     ///< all was computed, but a check of the scene's results or of a fabric's energy did not hold
 };
 
 /// Error that ends the run with a given exit status. The message is complete: what, where, found, allowed.

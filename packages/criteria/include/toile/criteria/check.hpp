@@ -20,9 +20,10 @@ Report check(const Fabric& fabric, const Request& request);
 /// The report as a text table: criterion, verdict, figures.
 std::string table(const Report& report);
 
-/// Parameters of list "Check" of a fabric's file, and of a whole such file: "Material" and "Check".
+/// Parameters of list "Check" of a fabric's file, and of a whole such file: "Material", "Check", and what adds to the
+/// `laws` that its material may be.
 base::Spec check_spec();
-base::Spec file_spec();
+base::Spec file_spec(const material::Laws& laws = material::Laws());
 
 /// Reads `list` (check_spec()). Throws InputError for a range that is empty or reversed, an unknown criterion, or a map
 /// of more than 4e6 states.

@@ -26,10 +26,11 @@ struct LinearCondition {
 /// What is to be fitted: law, free parameters, conditions, curves. A candidate is x [n_free] in 0..1.
 class FitProblem {
  public:
-  /// `list` follows fit_spec(). Throws InputError: more than one material; a free parameter that is unknown, a choice,
-  /// or has no finite interval; a fixed one without a value; bad conditions; bad data (see read_curve); no candidate
-  /// that meets the conditions; fewer fitted points than free parameters.
-  explicit FitProblem(const base::List& list);
+  /// `list` follows fit_spec(laws); the law that it names lives as long as this. Throws InputError: more than one
+  /// material; a free parameter that is unknown, a choice, or has no finite interval or a given value outside it; a
+  /// fixed one without a value; bad conditions; bad data (see read_curve); no candidate that meets the conditions;
+  /// fewer fitted points than free parameters.
+  explicit FitProblem(const base::List& list, const material::Laws& laws = material::Laws());
 
   const material::MaterialV1& law() const { return *law_; }
   const std::string& material_name() const { return material_name_; }
@@ -45,7 +46,7 @@ class FitProblem {
   std::vector<double> params(const std::vector<double>& x) const;
   /// dp/dx of the free parameters [n_free] at a candidate.
   std::vector<double> slopes(const std::vector<double>& x) const;
-  /// The candidate with these values, moved into the bounds.
+  /// The candidate with these values; those of a set or a default are moved into the bounds.
   std::vector<double> candidate(const std::vector<double>& params) const;
   /// What the material gives for the free parameters; empty if one has no value.
   std::vector<double> first_candidate() const;
@@ -62,7 +63,7 @@ class FitProblem {
   int index_of(const std::string& name) const;
   base::Texts names() const;
 
-  const material::MaterialV1* law_;
+  material::Laws::Law law_;
   std::string material_name_;
   double thickness_;
   std::vector<double> given_;

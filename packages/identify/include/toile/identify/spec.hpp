@@ -1,11 +1,11 @@
 #pragma once
 
-#include "toile/base/parameters.hpp"
+#include "toile/material/material.hpp"
 
 namespace toile::identify {
 
-/// Description of a fit file: `<ParameterList name="fit">`.
-base::Spec fit_spec();
+/// Description of a fit file: `<ParameterList name="fit">`. `laws`: what its material may be.
+base::Spec fit_spec(const material::Laws& laws = material::Laws());
 
 /// "Algorithm" of a fit.
 struct Algorithm {

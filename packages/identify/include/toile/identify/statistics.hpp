@@ -35,21 +35,27 @@ std::vector<CurveReport> curve_reports(const FitProblem& problem, const std::vec
 
 /// A combination of relative changes of parameters, and its standard deviation.
 struct Combination {
-  std::vector<double> factors;  ///< [n_free], of unit length, of dp_k / scale_k
+  std::vector<double> factors;  ///< [n_free], of unit length, of dp_k / scale_k; 0 for a held parameter
   double deviation;             ///< 1: the data leave it open by 100 %
 };
 
 /// What the data say of the parameters, linearised at the result: with J the derivatives of the weighted residuals by
-/// p_k / scale_k, covariance s^2 (J^T J)^-1 by its singular values. s^2 = chi^2 / (points - parameters) corrects the
-/// noise that the data were said to have. Bounds and conditions that are active are not taken into account.
+/// p_k / scale_k, covariance s^2 Z (Z^T J^T J Z)^-1 Z^T by the singular values of J Z. The columns of Z span the
+/// changes that keep to every bound and linear condition that is active (null space of their normals): along those
+/// normals the result is held by what was asked for and not by the data. s^2 = chi^2 / (points - columns of Z) corrects
+/// the noise that the data were said to have. Conditions of the law itself are seen only if they are repeated in
+/// "Constraints", and "keep tangent positive" is not.
 struct ParameterStatistics {
-  std::vector<double> scale;              ///< [n_free]: |p|, but at least 1e-3 of the interval
-  std::vector<double> deviation;          ///< [n_free], in the parameter's unit; infinite: not determined at all
-  std::vector<double> covariance;         ///< [n_free][n_free] in the parameters' units
-  std::vector<double> correlation;        ///< [n_free][n_free]
-  std::vector<Combination> combinations;  ///< of all singular values, the best determined first
-  std::vector<int> at_bound;              ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
-  double noise;                           ///< s: 1 if the residuals are as large as the noise that was given
+  std::vector<double> scale;  ///< [n_free]: |p|, but at least 1e-3 of the interval
+  /// [n_free], in the parameter's unit; infinite: not determined at all; NaN: held.
+  std::vector<double> deviation;
+  std::vector<double> covariance;              ///< [n_free][n_free] in the parameters' units; 0 for a held one
+  std::vector<double> correlation;             ///< [n_free][n_free]; NaN for a held or undetermined one
+  std::vector<Combination> combinations;       ///< one for each column of Z, the best determined first
+  std::vector<int> at_bound;                   ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
+  std::vector<bool> held;                      ///< [n_free]: active bounds and conditions leave it no change
+  std::vector<std::string> active_conditions;  ///< names
+  double noise;                                ///< s: 1 if the residuals are as large as the noise that was given
 };
 
 /// A combination that varies by more than this is not determined.

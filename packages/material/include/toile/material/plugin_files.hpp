@@ -26,6 +26,9 @@ Laws::Law load_plugin(const std::string& library);
 /// Description of the list "Plug-ins": entry name = law name, "file" = library.
 base::Spec plugins_spec();
 
+/// The library that an entry of that list names.
+std::string plugin_path(const base::List& entry);
+
 /// Adds the laws of the list "Plug-ins" to `laws`. Files count from the folder of the file that names them. Throws
 /// InputError: not `allowed` (naming what would be run), what load_plugin() says, a name that is taken, another name in
 /// the library than that of the entry.

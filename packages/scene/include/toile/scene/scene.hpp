@@ -20,9 +20,8 @@ namespace toile::scene {
 /// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be.
 base::Spec scene_spec(const material::Laws& laws = material::Laws());
 
-/// The built-in laws and those that the scene in `file` adds by its lists "Plug-ins" and "Formulas". Throws
-/// base::InputError, also if it has plug-ins that are not allowed.
-material::Laws read_laws(const std::string& file, bool allow_plugins);
+/// Its list "Materials" alone.
+base::Spec materials_spec(const material::Laws& laws);
 
 /// A named height along the axis of the body (hosiery levels).
 struct Level {
