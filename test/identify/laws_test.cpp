@@ -36,7 +36,7 @@ struct Fitted {
 Fitted fitted(const FitFolder& folder) {
   const base::List input = folder.read();
   FitProblem problem(input, folder.laws());
-  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](double, double) {});
+  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
   return {std::move(problem), std::move(result)};
 }
 
