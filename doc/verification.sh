@@ -37,5 +37,9 @@ section() {  # title, text, test and its arguments
   section "Inflated membrane" "Height of the pole of a clamped circular membrane under follower pressure." inflation_test
   section "Wrinkles of a sheared foil" "Kapton foil, stretched, then sheared (input/benchmarks/kapton-shear.xml): half-wave across the crests and amplitude at mid height, away from the free sides, against the formulae of Wong and Pellegrino (2006) in brackets; accepted are 15 % and 20 %. The last lines: another imperfection." kapton_shear_test
   section "Wrinkles of a stretched sheet" "Clamped neo-Hookean sheet, 140 mm wide and 0.14 mm thick (input/benchmarks/stretched-sheet.xml): the wrinkles rise, fall and vanish with the stretch at L/W = 2, and there are none at L/W = 1.5 (Nayyar, Ravi-Chandar and Huang 2011; Li and Healey 2016)." stretched_sheet_test
+  section "Strips between clamps as a model of tests" "What toile identify computes for model = clamped strip: largest error of the stress at any stretch against the independent solution of test/data/plane_stress/strips.csv, default mesh and one twice as fine; and that of a homogeneous state." \
+    ../identify/identify_strip_test --gtest_filter=ClampedStrip.AgreesWithTheIndependentSolution:ClampedStrip.ConvergesWithSecondOrder
+  section "Fits of virtual tests" "Data of the published Itskov set with 2 % noise. The Itskov law fitted to three tensile and two biaxial curves, then to the tensile ones alone: largest error against the law that made the data. The rebar law fitted to wale and course, then to bias as well." \
+    ../identify/identify_fit_test "--gtest_filter=Fit.Itskov*:Fit.RebarIsTooSoftInBias"
 } >"$out.new"
 mv "$out.new" "$out"

@@ -50,7 +50,8 @@ TEST(Fit, ItskovWithBiaxialData) {
   const Outcome o = itskov_fit(1.0);
   for (std::size_t c = 0; c < o.reports.size(); ++c) {
     const double error = largest_error(o.problem.curves()[c], o.reports[c]);
-    std::cout << o.reports[c].name << ": " << 100.0 * error << " % of its largest stress\n";
+    std::cout << o.reports[c].name << (o.reports[c].fitted ? ", fitted: " : ", predicted: ") << 100.0 * error
+              << " % of its largest stress\n";
     EXPECT_LT(error, c < tensile.size() ? 0.03 : 0.05) << o.reports[c].name;
   }
 }
@@ -61,7 +62,8 @@ TEST(Fit, ItskovWithoutBiaxialData) {
   const Outcome o = itskov_fit(0.0);
   for (std::size_t c = 0; c < o.reports.size(); ++c) {
     const double error = largest_error(o.problem.curves()[c], o.reports[c]);
-    std::cout << o.reports[c].name << ": " << 100.0 * error << " % of its largest stress\n";
+    std::cout << o.reports[c].name << (o.reports[c].fitted ? ", fitted: " : ", predicted: ") << 100.0 * error
+              << " % of its largest stress\n";
     EXPECT_EQ(o.reports[c].fitted, c < tensile.size());
     if (c < tensile.size()) {
       EXPECT_LT(error, 0.03) << o.reports[c].name;

@@ -100,11 +100,20 @@ result::Table residual_table(const std::vector<CurveReport>& reports) {
                    {{"at stretch", ""}, {}},
                    {{"largest over largest stress", ""}, {}},
                    {{"at the end, relative", ""}, {}},
-                   {{"missing points", ""}, {}}};
+                   {{"missing points", ""}, {}},
+                   {{"elements across", ""}, {}},
+                   {{"mesh error over largest stress", ""}, {}},
+                   {{"homogeneous at the end, relative", ""}, {}}};
   for (const CurveReport& r : reports) {
     table.row_names.push_back(r.name);
-    const double row[] = {r.fitted ? 1.0 : 0.0, r.rms,          r.relative,       r.largest, r.largest_at,
-                          r.largest_relative,   r.end_relative, double(r.missing)};
+    // A homogeneous state has no mesh and errs by none.
+    const identify::StripReport strip = r.strip.value_or(identify::StripReport{0, 0, 0.0, 0.0});
+    const double row[] = {r.fitted ? 1.0 : 0.0, r.rms,
+                          r.relative,           r.largest,
+                          r.largest_at,         r.largest_relative,
+                          r.end_relative,       double(r.missing),
+                          double(strip.across), strip.mesh_error,
+                          strip.homogeneous};
     for (std::size_t k = 0; k < table.columns.size(); ++k) table.columns[k].values.push_back(row[k]);
   }
   return table;
@@ -208,7 +217,8 @@ int describe_fit(const IdentifyArguments& arguments, bool markdown) {
   const base::Spec spec = identify::fit_spec(
       arguments.file.empty() ? material::Laws() : material::read_laws(arguments.file, "fit", arguments.allow_plugins));
   if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << (markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+    std::cout << (markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec))
+              << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

@@ -1,194 +1,158 @@
 #include "polish.hpp"
 
-#include <nlopt.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <optional>
+
+#include "nearest_point.hpp"
 
 namespace toile::identify {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Candidate = std::vector<double>;
 
-constexpr int most_rounds = 20;
-constexpr int most_evaluations = 300;
-constexpr double accuracy = 1e-12;
-/// A round that gains less than this part of chi^2 is the last.
-constexpr double least_gain = 1e-8;
-constexpr double condition_tolerance = 1e-10;
-/// Singular values of the Jacobian are taken as at least this part of the largest: bounds the steps along combinations
-/// that the data hardly see.
-constexpr double least_singular_value = 1e-5;
+constexpr int most_steps = 300;
+/// So many steps in a row that gain less than this part end the polish.
+constexpr int most_small_gains = 3;
+constexpr double small_gain = 1e-6;
+/// Damping of a step, as a part of the squared columns of the Jacobian.
+constexpr double first_damping = 1e-3, least_damping = 1e-14, greatest_damping = 1e8;
+/// A column counts as at least this part of the largest: bounds the steps along what the data hardly see.
+constexpr double least_column = 1e-5;
+/// Rise that a step aims at, over the curve's largest stress: what it leaves out must not make it a fall.
+constexpr double least_rise = 1e-7;
 
-/// The problem in variables y, x = origin + T y, in which chi^2 is nearly a sphere: T = V diag(1/sigma) from the
-/// Jacobian at the origin. Coefficients of a polynomial, say, are too badly conditioned for a quasi-Newton method.
-struct Context {
-  const FitProblem& problem;
-  Residuals& residuals;
-  VectorXd origin;
-  MatrixXd T;
-  const std::function<void(double)>& progress;
-  double smallest;  ///< chi^2
+VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Index>(x.size()));
+}
 
-  std::vector<double> x(const double* y) const {
-    const VectorXd x = origin + T * Eigen::Map<const VectorXd>(y, T.cols());
-    return {x.data(), x.data() + x.size()};
+/// Bounds, conditions and, if asked for, rises, for a step s from the candidate of the last evaluation.
+Inequalities inequalities(const FitProblem& problem, const Residuals& residuals, const Candidate& x) {
+  const auto n = static_cast<Index>(x.size());
+  const auto n_conditions = static_cast<Index>(problem.conditions().size());
+  const Index n_rises = problem.keeps_rising() ? residuals.rises() : 0;
+  Inequalities all = {MatrixXd::Zero(2 * n + n_conditions + n_rises, n), VectorXd(2 * n + n_conditions + n_rises)};
+  all.G.topRows(n) = -MatrixXd::Identity(n, n);
+  all.G.middleRows(n, n).setIdentity();
+  all.h.head(n) = vector_of(x);
+  all.h.segment(n, n) = VectorXd::Ones(n) - vector_of(x);
+
+  const std::vector<double> params = problem.params(x), slopes = problem.slopes(x);
+  for (Index c = 0; c < n_conditions; ++c) {
+    const LinearCondition& condition = problem.conditions()[static_cast<std::size_t>(c)];
+    double room = condition.bound;
+    for (std::size_t i = 0; i < params.size(); ++i)
+      if (condition.factors[i] != 0.0) room -= condition.factors[i] * params[i];
+    all.h[2 * n + c] = room;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      all.G(2 * n + c, static_cast<Index>(k)) =
+          condition.factors[static_cast<std::size_t>(problem.free()[k].index)] * slopes[k];
   }
-  Eigen::Map<const MatrixXd> jacobian() const { return {residuals.jacobian().data(), residuals.count(), T.rows()}; }
+
+  if (n_rises == 0) return all;
+  all.G.bottomRows(n_rises) = -Eigen::Map<const MatrixXd>(residuals.rise_jacobian().data(), n_rises, n);
+  // A fall is halved: to mend it in one step may be out of reach.
+  const VectorXd rise = vector_of(residuals.rise());
+  all.h.tail(n_rises) = (rise.array() - least_rise).max(0.5 * (rise.array() - least_rise));
+  return all;
+}
+
+/// A candidate with everything that the next step needs.
+struct Point {
+  Candidate x;
+  double merit;
+  bool rises;  ///< or need not
+  VectorXd residual;
+  MatrixXd jacobian;
+  Inequalities limits;
 };
 
-Context context_at(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x,
-                   const std::function<void(double)>& progress) {
-  const auto n = static_cast<Eigen::Index>(x.size());
-  const double chi = residuals.chi_squared_and_derivatives(x);
-  Context context = {problem,  residuals, Eigen::Map<const VectorXd>(x.data(), n), MatrixXd::Identity(n, n),
-                     progress, chi};
-  const Eigen::JacobiSVD<MatrixXd> svd(context.jacobian(), Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const VectorXd& sigma = svd.singularValues();
-  if (sigma[0] > 0.0)
-    context.T = svd.matrixV() * sigma.cwiseMax(least_singular_value * sigma[0]).cwiseInverse().asDiagonal();
-  return context;
+Point evaluate(const FitProblem& problem, Residuals& residuals, const Candidate& x) {
+  residuals.chi_squared_and_derivatives(x);
+  return {x,
+          residuals.merit(),
+          !problem.keeps_rising() || residuals.smallest_rise() >= 0.0,
+          vector_of(residuals.residual()),
+          Eigen::Map<const MatrixXd>(residuals.jacobian().data(), residuals.count(), static_cast<Index>(x.size())),
+          inequalities(problem, residuals, x)};
 }
 
-double objective(unsigned n, const double* y, double* gradient, void* data) {
-  Context& context = *static_cast<Context*>(data);
-  if (gradient == nullptr) return context.residuals.chi_squared(context.x(y));
-  const double chi = context.residuals.chi_squared_and_derivatives(context.x(y));
-  context.smallest = std::min(context.smallest, chi);
-  context.progress(context.smallest);
-  Eigen::Map<VectorXd> g(gradient, n);
-  g.setZero();
-  if (chi < Residuals::hopeless) {
-    const Eigen::Map<const VectorXd> r(context.residuals.residual().data(), context.residuals.count());
-    g = 2.0 * (context.T.transpose() * (context.jacobian().transpose() * r));
-  }
-  return chi;
+struct Step {
+  VectorXd s;
+  double gain;  ///< of chi^2 that the linear model promises
+};
+
+/// The step that makes |r + J s|^2 + damping |D s|^2 least within the limits: with the triangular factor R of the
+/// damped Jacobian, y = R s is the point nearest to the free minimum.
+std::optional<Step> step_from(const Point& p, double damping) {
+  const Index n = p.jacobian.cols(), rows = p.jacobian.rows();
+  VectorXd scale = p.jacobian.colwise().norm();
+  if (scale.maxCoeff() == 0.0) return std::nullopt;
+  scale = scale.cwiseMax(least_column * scale.maxCoeff());
+  MatrixXd damped(rows + n, n);
+  damped.topRows(rows) = p.jacobian;
+  damped.bottomRows(n) = (std::sqrt(damping) * scale).asDiagonal();
+  VectorXd right = VectorXd::Zero(rows + n);
+  right.head(rows) = -p.residual;
+  const Eigen::HouseholderQR<MatrixXd> qr(damped);
+  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+
+  const MatrixXd G = R.transpose().triangularView<Eigen::Lower>().solve(p.limits.G.transpose()).transpose();
+  const auto y = nearest_point((qr.householderQ().adjoint() * right).head(n), {G, p.limits.h});
+  if (!y) return std::nullopt;
+  const VectorXd s = R.triangularView<Eigen::Upper>().solve(*y);
+  return Step{s, p.residual.squaredNorm() - (p.residual + p.jacobian * s).squaredNorm()};
 }
 
-/// -x <= 0 and x - 1 <= 0.
-void bounds(unsigned, double* result, unsigned n, const double* y, double* gradient, void* data) {
-  const Context& context = *static_cast<Context*>(data);
-  const std::vector<double> x = context.x(y);
-  for (unsigned k = 0; k < n; ++k) {
-    result[k] = -x[k];
-    result[n + k] = x[k] - 1.0;
-  }
-  if (gradient == nullptr) return;
-  Eigen::Map<RowMajor> g(gradient, 2 * n, n);
-  g.topRows(n) = -context.T;
-  g.bottomRows(n) = context.T;
-}
-
-/// factors . params - bound <= 0 of every condition.
-void conditions(unsigned count, double* result, unsigned n, const double* y, double* gradient, void* data) {
-  const Context& context = *static_cast<Context*>(data);
-  const FitProblem& problem = context.problem;
-  const std::vector<double> x = context.x(y), params = problem.params(x), slopes = problem.slopes(x);
-  RowMajor by_x(count, n);
-  for (unsigned c = 0; c < count; ++c) {
-    const LinearCondition& condition = problem.conditions()[c];
-    result[c] = -condition.bound;
-    for (std::size_t i = 0; i < params.size(); ++i)
-      if (condition.factors[i] != 0.0) result[c] += condition.factors[i] * params[i];
-    for (unsigned k = 0; k < n; ++k)
-      by_x(c, k) = condition.factors[static_cast<std::size_t>(problem.free()[k].index)] * slopes[k];
-  }
-  if (gradient != nullptr) Eigen::Map<RowMajor>(gradient, count, n) = by_x * context.T;
-}
-
-/// Minus every rise <= 0.
-void falls(unsigned count, double* result, unsigned n, const double* y, double* gradient, void* data) {
-  const Context& context = *static_cast<Context*>(data);
-  Residuals& residuals = context.residuals;
-  if (gradient == nullptr)
-    residuals.chi_squared(context.x(y));
-  else
-    residuals.chi_squared_and_derivatives(context.x(y));
-  for (unsigned r = 0; r < count; ++r) result[r] = -residuals.rise()[r];
-  if (gradient == nullptr) return;
-  const Eigen::Map<const MatrixXd> by_x(residuals.rise_jacobian().data(), count, n);
-  Eigen::Map<RowMajor>(gradient, count, n) = -(by_x * context.T);
-}
-
-void constrain(nlopt_opt opt, std::size_t count, nlopt_mfunc function, Context& context) {
-  const std::vector<double> slack(count, condition_tolerance);
-  if (count > 0) nlopt_add_inequality_mconstraint(opt, static_cast<unsigned>(count), function, &context, slack.data());
-}
-
-/// One run of SLSQP from `x`. A failure of the optimiser leaves its best point, which is judged like any other.
-std::vector<double> sequential_programming(const FitProblem& problem, Residuals& residuals,
-                                           const std::vector<double>& x, const std::function<void(double)>& progress) {
-  Context context = context_at(problem, residuals, x, progress);
-  const auto n = static_cast<unsigned>(x.size());
-  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(nlopt_create(NLOPT_LD_SLSQP, n),
-                                                                         &nlopt_destroy);
-  nlopt_set_min_objective(optimiser.get(), objective, &context);
-  constrain(optimiser.get(), 2 * x.size(), bounds, context);
-  constrain(optimiser.get(), problem.conditions().size(), conditions, context);
-  if (problem.keeps_rising()) constrain(optimiser.get(), static_cast<std::size_t>(residuals.rises()), falls, context);
-  nlopt_set_ftol_rel(optimiser.get(), accuracy);
-  nlopt_set_maxeval(optimiser.get(), most_evaluations);
-  std::vector<double> y(x.size(), 0.0);
-  double value = 0.0;
-  nlopt_optimize(optimiser.get(), y.data(), &value);
-  std::vector<double> result = context.x(y.data());
-  for (double& v : result) v = std::clamp(v, 0.0, 1.0);
-  return result;
-}
-
-bool is_usable(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x) {
-  return problem.is_valid(x) && residuals.chi_squared(x) < Residuals::hopeless &&
-         (!problem.keeps_rising() || residuals.smallest_rise() >= 0.0);
-}
-
-/// The last point on the way from `from`, which is taken to be accepted, to `to` that is.
-std::vector<double> last_accepted(const std::vector<double>& from, const std::vector<double>& to,
-                                  const std::function<bool(const std::vector<double>&)>& is_accepted) {
+/// `x` + `s`, or the last valid candidate on the way: the law may refuse what is not written as a condition.
+Candidate valid_candidate(const FitProblem& problem, const Candidate& x, const VectorXd& s) {
   constexpr int halvings = 40;
-  if (is_accepted(to)) return to;
-  std::vector<double> best = from, between(from.size());
-  double good = 0.0, bad = 1.0;
+  const auto at = [&](double part) {
+    Candidate all(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) all[k] = std::clamp(x[k] + part * s[static_cast<Index>(k)], 0.0, 1.0);
+    return all;
+  };
+  if (Candidate whole = at(1.0); problem.is_valid(whole)) return whole;
+  double valid = 0.0, invalid = 1.0;
   for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (good + bad);
-    for (std::size_t k = 0; k < from.size(); ++k) between[k] = from[k] + middle * (to[k] - from[k]);
-    const bool accepted = is_accepted(between);
-    if (accepted) best = between;
-    (accepted ? good : bad) = middle;
+    const double middle = 0.5 * (valid + invalid);
+    (problem.is_valid(at(middle)) ? valid : invalid) = middle;
   }
-  return best;
-}
-
-/// The last usable point on the way from `from`, which is usable, to `to`. What needs no evaluation of the curves is
-/// met first: they may be costly.
-std::vector<double> last_usable(const FitProblem& problem, Residuals& residuals, const std::vector<double>& from,
-                                const std::vector<double>& to) {
-  const auto valid = last_accepted(from, to, [&](const auto& x) { return problem.is_valid(x); });
-  return last_accepted(from, valid, [&](const auto& x) { return is_usable(problem, residuals, x); });
+  return at(valid);
 }
 
 }  // namespace
 
 std::vector<double> polished(const FitProblem& problem, Residuals& residuals, const std::vector<double>& x,
                              const std::function<void(double)>& progress) {
-  std::vector<double> best = x;
-  bool usable = is_usable(problem, residuals, x);
-  double chi = residuals.chi_squared(x);
-  for (int round = 0; round < most_rounds && chi < Residuals::hopeless; ++round) {
-    std::vector<double> next = sequential_programming(problem, residuals, best, progress);
-    if (usable) next = last_usable(problem, residuals, best, next);
-    const bool next_usable = is_usable(problem, residuals, next);
-    const double next_chi = residuals.chi_squared(next);
-    const bool becomes_usable = next_usable && !usable;
-    if (!becomes_usable && next_chi > chi * (1.0 - least_gain)) break;
-    if (usable && !next_usable) break;
-    best = next;
-    chi = next_chi;
-    usable = next_usable;
+  Point best = evaluate(problem, residuals, x);
+  double damping = first_damping;
+  int small_gains = 0;
+  for (int i = 0; i < most_steps && best.merit < Residuals::hopeless && damping <= greatest_damping; ++i) {
+    const auto step = step_from(best, damping);
+    if (!step) {
+      damping *= 10.0;
+      continue;
+    }
+    Point next = evaluate(problem, residuals, valid_candidate(problem, best.x, step->s));
+    const double gain = best.merit - next.merit;
+    if (!(gain > 0.0) || (best.rises && !next.rises)) {
+      if (step->gain <= small_gain * best.merit) break;
+      damping *= 10.0;
+      continue;
+    }
+    small_gains = gain < small_gain * best.merit ? small_gains + 1 : 0;
+    best = std::move(next);
+    progress(best.merit);
+    if (small_gains == most_small_gains) break;
+    if (gain > 0.7 * step->gain) damping = std::max(0.2 * damping, least_damping);
+    if (gain < 0.2 * step->gain) damping *= 3.0;
   }
-  return best;
+  return best.x;
 }
 
 }  // namespace toile::identify

@@ -75,6 +75,12 @@ double Residuals::chi_squared_and_derivatives(const std::vector<double>& x) {
   return chi_squared_ = finish();
 }
 
+double Residuals::merit() const {
+  constexpr double cost_of_a_fall = 1e6;
+  if (!problem_.keeps_rising()) return chi_squared_;
+  return std::min(hopeless, chi_squared_ + cost_of_a_fall * count() * std::max(0.0, -smallest_rise()));
+}
+
 double Residuals::smallest_rise() const {
   return rise_.empty() ? 0.0 : *std::min_element(rise_.begin(), rise_.end());
 }

@@ -11,8 +11,6 @@
 namespace toile::identify {
 namespace {
 
-/// A falling stress costs more than any fit gains.
-constexpr double falling_cost = 1e6;
 /// Generations between two reports.
 constexpr unsigned stride = 10;
 
@@ -22,9 +20,8 @@ struct UserProblem {
   Residuals* residuals = nullptr;
 
   pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-    const double chi = residuals->chi_squared(problem->repaired(x));
-    const double fall = problem->keeps_rising() ? std::max(0.0, -residuals->smallest_rise()) : 0.0;
-    return {chi + falling_cost * fall * residuals->count()};
+    residuals->chi_squared(problem->repaired(x));
+    return {residuals->merit()};
   }
   std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
     const std::size_t n = problem == nullptr ? 1 : problem->free().size();

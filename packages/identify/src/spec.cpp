@@ -48,7 +48,7 @@ Spec algorithm_spec() {
                Range::at_least(0))
       .integer("starts", "Independent searches; the best one is the result, all are reported.", 3, Range::at_least(1))
       .integer("seed", "Seed of the first start; the same seed gives the same result.", 1, Range::at_least(0))
-      .flag("polish", "Whether the best candidate of each start is polished (SLSQP of NLopt).", true)
+      .flag("polish", "Whether the best candidate of each start is polished (damped Gauss-Newton steps).", true)
       .flag("keep tangent positive",
             "true: the nominal stress of every fitted curve must rise from each of its stretches to the next.", false);
   return spec;

@@ -29,6 +29,8 @@ class Residuals {
   const std::vector<double>& rise_jacobian() const { return rise_jacobian_; }
   /// Smallest rise of the last evaluation; negative: the stress falls somewhere.
   double smallest_rise() const;
+  /// chi^2 of the last evaluation, and if the stress must rise a cost of its falls that no fit gains.
+  double merit() const;
 
   static constexpr double hopeless = 1e30;
 
