@@ -1,7 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "base/scene.hpp"
 #include "fabric_tests.hpp"
+#include "toile/base/error.hpp"
+#include "toile/identify/curve_models.hpp"
 #include "toile/identify/report.hpp"
 #include "toile/material/read_laws.hpp"
 
@@ -38,6 +42,75 @@ Fitted fitted(const FitFolder& folder) {
   FitProblem problem(input, folder.laws());
   FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
   return {std::move(problem), std::move(result)};
+}
+
+/// A law of one fibre with the fit file's other lists; `energy` in c, k and m.
+void write_fibre_fit(const FitFolder& folder, const std::string& energy, const std::string& free,
+                     const std::vector<VirtualTest>& tests, const std::string& algorithm) {
+  folder.write_fit(
+      parameter("type", "string", "fibre"), free, "", tests, algorithm,
+      list("Formulas", list("fibre", parameter("energy", "string", energy) +
+                                         list("Parameters", list("c", "") + list("k", "") + list("m", "")))));
+}
+
+// An exponent can be fitted where its base is zero: in a fabric pulled along the course the fibre of the wale is slack.
+// The law made the data, and its values are found.
+TEST(Formula, ExponentOfASlackFibreIsFitted) {
+  constexpr double c = 0.02, k = 0.03, m = 2.6;
+  const FitFolder folder;
+  const std::vector<VirtualTest> tests = {{"wale", "uniaxial", 0.0, 1.6}, {"course", "uniaxial", 90.0, 1.6}};
+  folder.measure(tests, 0.0);
+  write_fibre_fit(folder, "c/2*(I1 - 3) + k*max(C11 - 1, 0)^m",
+                  free_parameter("c", 1e-3, 1.0, true) + free_parameter("k", 0.0, 1.0) + free_parameter("m", 2.0, 8.0),
+                  tests, one_start);
+  const FitProblem law_of(folder.read(), folder.laws());
+  const double params[] = {c, k, m};
+  for (const Curve& curve : law_of.curves()) {
+    std::vector<double> stress(curve.stretch.size());
+    ASSERT_EQ(forward_model({curve})->stress(law_of.law(), params, stress.data()), 0);
+    std::ostringstream rows;
+    rows.precision(17);
+    rows << "stretch [-], nominal stress [MPa]\n";
+    for (std::size_t i = 0; i < stress.size(); ++i) rows << curve.stretch[i] << "," << stress[i] << "\n";
+    folder.write(curve.name + ".csv", rows.str());
+  }
+  const Fitted f = fitted(folder);
+  EXPECT_NEAR(f.result.params[0], c, 1e-5 * c);
+  EXPECT_NEAR(f.result.params[1], k, 1e-5 * k);
+  EXPECT_NEAR(f.result.params[2], m, 1e-5 * m);
+}
+
+// A law whose stress must fall is fitted, but where it falls is part of the result and of its report.
+TEST(Formula, FallingStressIsTold) {
+  const std::vector<VirtualTest> tests = {{"wale", "uniaxial", 0.0, 1.6}};
+  const FitFolder folder;
+  folder.measure(tests, 0.0);
+  write_fibre_fit(folder, "c/2*(I1 - 3) + k*(l1 - 1)^2 - m*(l1 - 1)^4",
+                  free_parameter("c", 0.001, 0.01) + free_parameter("k", 0.01, 0.1) + free_parameter("m", 0.2, 1.0),
+                  tests, one_start + parameter("keep tangent positive", "bool", "true"));
+  const Fitted f = fitted(folder);
+  EXPECT_THAT(f.result.falls, HasSubstr("curve \"wale\" falls from stretch "));
+  EXPECT_THAT(report_text(f.problem, f.result, curve_reports(f.problem, f.result.params),
+                          parameter_statistics(f.problem, f.result)),
+              HasSubstr("the stress does not rise everywhere, as was asked for: " + f.result.falls));
+}
+
+// A fit that finds no parameters with a state at every point has no result, and says which curve has none.
+TEST(Formula, WithoutStatesThereIsNoResult) {
+  const std::vector<VirtualTest> tests = {{"wale", "uniaxial", 0.0, 1.6}};
+  const FitFolder folder;
+  folder.measure(tests, 0.0);
+  // Its lateral stress has no zero: it pulls together without end.
+  write_fibre_fit(folder, "c*(C11 - 1)^2 + k*(C12^2) + m*C22",
+                  free_parameter("c", 0.1, 1.0) + free_parameter("k", 0.1, 1.0) + free_parameter("m", 0.1, 1.0), tests,
+                  one_start);
+  try {
+    fitted(folder);
+    FAIL() << "it has a result";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ExitCode::solve_failed);
+    EXPECT_THAT(error.what(), HasSubstr("curve \"wale\" has none at stretch 1.0"));
+  }
 }
 
 // A typed energy is fitted as the same compiled law is: equal parameters to 1e-6, from data with 2 % noise.

@@ -100,6 +100,20 @@ TEST(Formula, derivatives_of_all_functions) {
   EXPECT_NEAR(evaluate(*formula, {mu, k}, {C11, C22, C12}).W, W, 1e-13 * std::abs(W));
 }
 
+// A power of what max() makes zero is admissible where it is slack, with all of its derivatives, also by its exponent.
+TEST(Formula, powers_of_zero) {
+  const Laws::Law formula =
+      make_formula_law("fibre", "", "c*(I1 - 3) + k*max(C11 - 1, 0)^m", {number("c"), number("k"), number("m")});
+  for (const double m : {1.5, 2.0, 2.5, 3.0, 6.5}) {
+    const Case test = {"m = " + std::to_string(m), formula.get(), {0.3, 0.7, m}};
+    for (const State& C : {State{0.8, 1.3, 0.1}, State{1.4, 0.9, -0.1}}) {
+      expect_derivatives(test, C);
+      expect_parameter_derivatives(test, C);
+    }
+    EXPECT_EQ(evaluate(*formula, test.params, {1.0, 1.2, 0.0}).bad, 0) << m;
+  }
+}
+
 // What does not parse is shown with its place: a line with the formula and a caret below the character.
 TEST(Formula, mistakes_have_a_place) {
   EXPECT_EQ(refusal("mu*(I1 - 3"), "character 11: expected an operator or \")\"\n  mu*(I1 - 3\n            ^");

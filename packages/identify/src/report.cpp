@@ -10,6 +10,8 @@ namespace {
 
 /// Correlations above this are told.
 constexpr double strong_correlation = 0.95;
+/// chi^2 of starts that differ by more than this part are of different places.
+constexpr double disagreement = 0.01;
 /// Residuals that exceed the stated noise by more than this factor are not noise.
 constexpr double misfit = 1.5;
 
@@ -30,6 +32,12 @@ void write_starts(std::ostream& out, const FitResult& result, bool has_strips) {
       out << "    polished with the clamped strips: " << start.strips->before << " before, " << start.strips->after
           << " after\n";
   }
+  const auto [least, most] =
+      std::minmax_element(result.starts.begin(), result.starts.end(),
+                          [](const Start& a, const Start& b) { return a.polished < b.polished; });
+  if (most->polished > (1.0 + disagreement) * least->polished)
+    out << "  starts do not agree within " << 100.0 * disagreement
+        << " %: there may be better parameters; more generations or starts may find them\n";
 }
 
 void write_strip(std::ostream& out, const StripReport& strip) {
@@ -76,6 +84,9 @@ void write_parameters(std::ostream& out, const FitProblem& problem, const FitRes
   const bool any_held = std::count(statistics.held.begin(), statistics.held.end(), true) > 0;
   if (any_held)
     out << "  The data do not determine the deviation of a parameter that is held; the others are for it held\n";
+  for (const std::string& name : statistics.at_edge)
+    out << "  A small change of " << name
+        << " leaves a fitted point without a state: the result lies on that edge, which deviations do not know of\n";
   for (const std::string& name : statistics.active_conditions)
     out << "  On the edge of the condition \"" << name << "\": deviations are along it\n";
 }
@@ -118,6 +129,7 @@ std::string report_text(const FitProblem& problem, const FitResult& result, cons
   write_starts(out, result, problem.fits_strips());
   out << "Curves: fit minus data, each point a homogeneous state unless a line tells of a clamped strip\n";
   for (const CurveReport& r : curves) write_curve(out, r);
+  if (!result.falls.empty()) out << "  the stress does not rise everywhere, as was asked for: " << result.falls << "\n";
   out << "  residuals are " << statistics.noise << " times the noise that the data were said to have"
       << (statistics.noise > misfit ? ": the law does not follow these curves, and the deviations below are too small\n"
                                     : "\n");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toile/base/error.hpp"
+
 namespace toile::identify {
 
 namespace {
@@ -72,7 +74,22 @@ double Residuals::chi_squared_and_derivatives(const std::vector<double>& x) {
   }
   last_ = x;
   has_derivatives_ = true;
-  return chi_squared_ = finish();
+  chi_squared_ = finish();
+  if (chi_squared_ < hopeless) require_derivatives();
+  return chi_squared_;
+}
+
+void Residuals::require_derivatives() const {
+  const std::size_t n = data_.size();
+  for (std::size_t k = 0; k * n < jacobian_.size(); ++k)
+    for (std::size_t i = 0; i < n; ++i) {
+      if (std::isfinite(jacobian_[k * n + i])) continue;
+      throw base::Error(
+          base::ExitCode::solve_failed,
+          "the fit cannot go on: the stress of fitted point " + std::to_string(i + 1) + " of " + std::to_string(n) +
+              " (curves in the order of their names in Data) has no derivative by parameter \"" +
+              problem_.law().info[problem_.free()[k].index].name + "\"; see whether the law is differentiable there");
+    }
 }
 
 double Residuals::merit() const {

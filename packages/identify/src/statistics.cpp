@@ -71,6 +71,23 @@ Eigen::MatrixXd feasible_directions(const FitProblem& problem, const std::vector
   return Q.rightCols(n - qr.rank());
 }
 
+/// Parameters that cannot change by a thousandth of their interval without the loss of a state.
+std::vector<std::string> at_edge(const FitProblem& problem, const std::vector<double>& x) {
+  constexpr double change = 1e-3;
+  Residuals residuals(problem);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    bool is_lost = false;
+    for (const double sign : {-1.0, 1.0}) {
+      std::vector<double> moved = x;
+      moved[k] = std::clamp(x[k] + sign * change, 0.0, 1.0);
+      is_lost = is_lost || residuals.chi_squared(moved) >= Residuals::hopeless;
+    }
+    if (is_lost) names.emplace_back(problem.law().info[problem.free()[k].index].name);
+  }
+  return names;
+}
+
 /// Of every column of `directions`, the best determined first. `J`: derivatives along these columns.
 std::vector<Combination> combinations(const Eigen::MatrixXd& J, const Eigen::MatrixXd& directions, double noise) {
   std::vector<Combination> all;
@@ -92,6 +109,7 @@ ParameterStatistics parameter_statistics(const FitProblem& problem, const FitRes
   ParameterStatistics statistics;
   statistics.scale = scales(problem, result.params);
   for (const double x : result.x()) statistics.at_bound.push_back(side(x));
+  statistics.at_edge = at_edge(problem, result.x());
   for (const LinearCondition& condition : problem.conditions())
     if (is_active(problem, condition, result.params)) statistics.active_conditions.push_back(condition.name);
   const Eigen::MatrixXd directions = feasible_directions(problem, result.params, statistics);

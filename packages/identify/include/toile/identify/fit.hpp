@@ -20,6 +20,7 @@ struct StripPolish {
 struct Start {
   unsigned seed;
   double searched, polished;  ///< chi^2 after each
+  double merit;               ///< of the polished one, see Residuals::merit
   std::vector<double> x;
   std::optional<StripPolish> strips = {};
 };
@@ -29,6 +30,7 @@ struct FitResult {
   std::size_t best = 0;        ///< of the starts
   std::vector<double> params;  ///< [n_params] of the best one
   double chi_squared = 0.0;
+  std::string falls;  ///< where the stress falls although it must rise; empty: nowhere
 
   const std::vector<double>& x() const { return starts[best].x; }
 };
@@ -41,7 +43,8 @@ struct FitState {
 };
 using FitProgress = std::function<void(const FitState&)>;
 
-/// Runs every start. The same problem and seed give the same result, to the last bit.
+/// Runs every start. The same problem and seed give the same result, to the last bit. Throws Error (solve_failed) if no
+/// start ends at a candidate that has a state at every fitted point, or if a derivative of one is not a number.
 FitResult fit(const FitProblem& problem, const Algorithm& algorithm, const FitProgress& progress);
 
 }  // namespace toile::identify

@@ -20,7 +20,8 @@ class Residuals {
   /// Each evaluates the candidate x [n_free]; a candidate without a solution at some point has chi^2 = `hopeless`.
   double chi_squared(const std::vector<double>& x);
   /// With derivatives: residual() [count] (weighted), jacobian() [n_free][count] by x, rise() [rises] over each curve's
-  /// largest stress and its derivatives rise_jacobian() [n_free][rises].
+  /// largest stress and its derivatives rise_jacobian() [n_free][rises]. Throws Error (solve_failed), naming the
+  /// parameter, if a derivative of a candidate that has every state is not a number.
   double chi_squared_and_derivatives(const std::vector<double>& x);
 
   const std::vector<double>& residual() const { return residual_; }
@@ -36,6 +37,7 @@ class Residuals {
 
  private:
   double finish();
+  void require_derivatives() const;
 
   const FitProblem& problem_;
   std::unique_ptr<ForwardModel> model_;

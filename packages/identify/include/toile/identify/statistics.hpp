@@ -55,7 +55,9 @@ struct ParameterStatistics {
   std::vector<int> at_bound;                   ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
   std::vector<bool> held;                      ///< [n_free]: active bounds and conditions leave it no change
   std::vector<std::string> active_conditions;  ///< names
-  double noise;                                ///< s: 1 if the residuals are as large as the noise that was given
+  /// Parameters of which a small change leaves some fitted point without a state: the result lies on that edge.
+  std::vector<std::string> at_edge;
+  double noise;  ///< s: 1 if the residuals are as large as the noise that was given
 };
 
 /// A combination that varies by more than this is not determined.

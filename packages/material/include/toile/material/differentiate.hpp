@@ -189,7 +189,9 @@ variable<T> sqrt(const T& x) {
   return chain(x, std::array<base_type<T>, 3>{root, slope, -0.5 * slope / value});
 }
 
-/// power(x, a) = x^a for x > 0. The exponent is a number or a parameter.
+/// power(x, a) = x^a for x >= 0. The exponent is a number or a parameter. At x = 0, which max(.., 0) leads to,
+/// derivatives are those of the slack side, zero, wherever the power itself has none (second derivatives for 1 <= a <
+/// 2).
 inline double power(double x, double a) {
   return std::pow(x, a);
 }
@@ -200,15 +202,18 @@ template <class T>
 variable<T> power(const T& x, const base_type<T>& a) {
   using B = base_type<T>;
   const B value = base_value(x);
-  const B p = power(value, B(a - 2.0));
+  B p = power(value, B(a - 2.0));
+  p = where(less(B(0.0), value), p, where(less(a, B(1.0)), p, where(less(a, B(2.0)), B(0.0), p)));
   return chain(x, std::array<B, 3>{p * value * value, a * p * value, a * (a - 1.0) * p});
 }
 /// Derivatives by the exponent too: both are parameters.
 template <class B, int N>
 std::enable_if_t<Base<B>::level == 0, Fad<B, N>> power(const Fad<B, N>& x, const Fad<B, N>& a) {
   const B p = power(x.val(), a.val());
-  const B by_x = p * a.val() / x.val();
-  const B by_a = p * log(x.val());
+  const B slope = a.val() * power(x.val(), B(a.val() - 1.0));
+  const auto is_positive = less(B(0.0), x.val());
+  const B by_x = where(is_positive, slope, where(less(a.val(), B(1.0)), B(0.0), slope));
+  const B by_a = where(is_positive, p * log(x.val()), B(0.0));
   Fad<B, N> result;
   result.val() = p;
   for (int i = 0; i < N; ++i) result.fastAccessDx(i) = by_x * x.fastAccessDx(i) + by_a * a.fastAccessDx(i);
@@ -219,7 +224,8 @@ template <class B, int M, int N>
 Fad<Fad<B, M>, N> power(const Fad<Fad<B, M>, N>& x, const Fad<B, M>& a) {
   Fad<Fad<B, M>, N> result;
   result.val() = power(x.val(), a);
-  const Fad<B, M> slope = a * result.val() / x.val();
+  const Fad<B, M> exponent = a - 1.0;
+  const Fad<B, M> slope = a * power(x.val(), exponent);
   for (int i = 0; i < N; ++i) result.fastAccessDx(i) = slope * x.fastAccessDx(i);
   return result;
 }
