@@ -18,7 +18,8 @@
 /// material is not incompressible.
 /// `energy` is written once, without `if` on a T (use where()) and with power(), log(), exp(), sqrt(), reciprocal(),
 /// sin(), cos() of variables (not of expressions); keep intermediate results in variables of type T or P, never in
-/// `auto`. make_law<Law>() is then the MaterialV1: W, S, D and dS/dp come from Sacado over `lanes` points at once.
+/// `auto`. make_law<Law>() is then the MaterialV1: W, S and dS/dp come from Sacado's Fad, D
+/// from SecondOrder, over `lanes` points at once.
 namespace toile::material {
 
 /// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:
