@@ -111,6 +111,45 @@ TEST(BrokenLaws, Derivatives) {
   EXPECT_EQ(slopes(faulty<no_energy>()), Verdict::fails);
 }
 
+/// W = k tr(C)/2 with wrong derivatives of its stress by k: not a number where the course is compressed, or a
+/// thousandth off, by the choice of `Fault`.
+enum class SlopeFault { none, not_a_number, off };
+template <SlopeFault fault>
+Fabric with_parameter() {
+  static constexpr material::ParamInfo k = {"k", "MPa", "", 1.0, 0.0, 10.0, 1};
+  static const material::MaterialV1 law = {material::material_abi,
+                                           "one parameter",
+                                           "",
+                                           1,
+                                           &k,
+                                           nullptr,
+                                           [](const void*, int n, const double* C, const double* params, int, double* W,
+                                              double* S, double* D, double* h, double* dSdp, std::uint8_t* status) {
+                                             for (int i = 0; i < n; ++i) {
+                                               W[i] = 0.5 * params[0] * (C[i] + C[n + i]);
+                                               for (int a = 0; a < 3; ++a) S[a * n + i] = a < 2 ? params[0] : 0.0;
+                                               for (int b = 0; D != nullptr && b < 6; ++b) D[b * n + i] = 0.0;
+                                               for (int a = 0; dSdp != nullptr && a < 3; ++a)
+                                                 dSdp[a * n + i] = a < 2 ? 1.0 : 0.0;
+                                               h[i] = 1.0;
+                                               status[i] = material::point_ok;
+                                               if (dSdp == nullptr) continue;
+                                               if (fault == SlopeFault::off) dSdp[i] *= 1.001;
+                                               if (fault == SlopeFault::not_a_number && C[n + i] < 1.0)
+                                                 dSdp[i] = std::nan("");
+                                             }
+                                             return 0;
+                                           }};
+  return {"one parameter", &law, {2.0}};
+}
+
+// Derivatives of the stress by a parameter, which a fit needs: a thousandth off, or not a number at some states.
+TEST(BrokenLaws, DerivativesByParameters) {
+  EXPECT_EQ(slopes(with_parameter<SlopeFault::none>()), Verdict::holds);
+  EXPECT_EQ(slopes(with_parameter<SlopeFault::off>()), Verdict::fails);
+  EXPECT_EQ(slopes(with_parameter<SlopeFault::not_a_number>()), Verdict::fails);
+}
+
 // A NaN that no status tells of; numbers at a refused point, which would be taken for results.
 TEST(BrokenLaws, FiniteNumbers) {
   EXPECT_EQ(numbers(faulty<silent_nan>()), Verdict::fails);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "parameter_derivatives.hpp"
 #include "random_states.hpp"
 #include "toile/criteria/pointwise.hpp"
 
@@ -104,7 +105,8 @@ Finding derivatives(const Fabric& fabric, const Request& request) {
   strains.push_back({1.0, 1.0, 0.0});
   Errors largest;
   int tried = 0;
-  for (const State& s : fabric.evaluate(strains)) {
+  const std::vector<State> states = fabric.evaluate(strains);
+  for (const State& s : states) {
     if (!s.admissible() || smaller_eigenvalue(s.C) < 0.01) continue;
     const Errors errors = errors_at(fabric, s);
     if (errors.refused) continue;
@@ -114,10 +116,14 @@ Finding derivatives(const Fabric& fabric, const Request& request) {
     largest.tangent = std::max(largest.tangent, errors.tangent);
     largest.symmetry = std::max(largest.symmetry, errors.symmetry);
   }
-  const std::string text = "largest difference of S " + figure(largest.stress, 2) + ", of D " +
-                           figure(largest.tangent, 2) + ", of dS_a/dE_b and dS_b/dE_a " + figure(largest.symmetry, 2) +
-                           " (relative, " + std::to_string(tried) + " states), at " + place(largest.where);
-  const bool holds = tried > 0 && largest.worst() < tolerance;
+  const ParameterError by_parameter = parameter_error(fabric, states);
+  std::string text = "largest difference of S " + figure(largest.stress, 2) + ", of D " + figure(largest.tangent, 2) +
+                     ", of dS_a/dE_b and dS_b/dE_a " + figure(largest.symmetry, 2) + " (relative, " +
+                     std::to_string(tried) + " states), at " + place(largest.where);
+  if (by_parameter.largest > 0.0)
+    text += "; of dS/dp " + figure(by_parameter.largest, 2) + ", by " + by_parameter.parameter + " at " +
+            place(by_parameter.where);
+  const bool holds = tried > 0 && largest.worst() < tolerance && by_parameter.largest < tolerance;
   return {name::derivatives, holds ? Verdict::holds : Verdict::fails, text};
 }
 
