@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double rounding = 1e-13;
+constexpr double roundoff = 1e-13;
 
 /// The least |E u - f| over u >= 0: the active-set method of Lawson and Hanson, chapter 23, algorithm NNLS.
 VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
@@ -23,7 +23,7 @@ VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
     const VectorXd slope = E.transpose() * (f - E * u);
     Index next = -1;
     for (Index i = 0; i < m; ++i)
-      if (u[i] == 0.0 && !refused[static_cast<std::size_t>(i)] && slope[i] > rounding &&
+      if (u[i] == 0.0 && !refused[static_cast<std::size_t>(i)] && slope[i] > roundoff &&
           (next < 0 || slope[i] > slope[next]))
         next = i;
     if (next < 0) break;
@@ -45,7 +45,7 @@ VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
       for (std::size_t k = 0; k < positive.size(); ++k) {
         double& value = u[positive[k]];
         value += part * (wanted[static_cast<Index>(k)] - value);
-        if (wanted[static_cast<Index>(k)] <= 0.0 && value <= rounding) value = 0.0;
+        if (wanted[static_cast<Index>(k)] <= 0.0 && value <= roundoff) value = 0.0;
         if (value > 0.0) kept.push_back(positive[k]);
       }
       const bool is_done = kept.size() == positive.size();
@@ -80,7 +80,7 @@ std::optional<VectorXd> nearest_point(const VectorXd& to, Inequalities limits) {
   VectorXd f = VectorXd::Zero(n + 1);
   f[n] = 1.0;
   const VectorXd rest = E * non_negative_least_squares(E, f) - f;
-  if (std::abs(rest[n]) <= rounding) return std::nullopt;
+  if (std::abs(rest[n]) <= roundoff) return std::nullopt;
   return to - unit / rest[n] * rest.head(n);
 }
 

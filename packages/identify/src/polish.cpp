@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Candidate = std::vector<double>;
 
-constexpr int most_steps = 300;
+constexpr int most_polish_steps = 300;
 /// So many steps in a row that gain less than this part end the polish.
 constexpr int most_small_gains = 3;
 constexpr double small_gain = 1e-6;
@@ -81,14 +81,14 @@ Point evaluate(const FitProblem& problem, Residuals& residuals, const Candidate&
           inequalities(problem, residuals, x)};
 }
 
-struct Step {
+struct DampedStep {
   VectorXd s;
   double gain;  ///< of chi^2 that the linear model promises
 };
 
 /// The step that makes |r + J s|^2 + damping |D s|^2 least within the limits: with the triangular factor R of the
 /// damped Jacobian, y = R s is the point nearest to the free minimum.
-std::optional<Step> step_from(const Point& p, double damping) {
+std::optional<DampedStep> step_from(const Point& p, double damping) {
   const Index n = p.jacobian.cols(), rows = p.jacobian.rows();
   VectorXd scale = p.jacobian.colwise().norm();
   if (scale.maxCoeff() == 0.0) return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<Step> step_from(const Point& p, double damping) {
   const auto y = nearest_point((qr.householderQ().adjoint() * right).head(n), {G, p.limits.h});
   if (!y) return std::nullopt;
   const VectorXd s = R.triangularView<Eigen::Upper>().solve(*y);
-  return Step{s, p.residual.squaredNorm() - (p.residual + p.jacobian * s).squaredNorm()};
+  return DampedStep{s, p.residual.squaredNorm() - (p.residual + p.jacobian * s).squaredNorm()};
 }
 
 /// `x` + `s`, or the last valid candidate on the way: the law may refuse what is not written as a condition.
@@ -132,7 +132,7 @@ std::vector<double> polished(const FitProblem& problem, Residuals& residuals, co
   Point best = evaluate(problem, residuals, x);
   double damping = first_damping;
   int small_gains = 0;
-  for (int i = 0; i < most_steps && best.merit < Residuals::hopeless && damping <= greatest_damping; ++i) {
+  for (int i = 0; i < most_polish_steps && best.merit < Residuals::hopeless && damping <= greatest_damping; ++i) {
     const auto step = step_from(best, damping);
     if (!step) {
       damping *= 10.0;
