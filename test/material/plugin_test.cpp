@@ -130,6 +130,8 @@ TEST(PlugIn, hints) {
   EXPECT_THAT(
       build_error(fabric("bad", "return power(c.C11 + c.C22, p[0]);")),
       hinted("power(expression, ", "functions take variables, not expressions: write const T x = ...; first\n"));
+  EXPECT_THAT(build_error(fabric("bad", "return p[0] * reciprocal(c.C11 - 2.0);")),
+              hinted("reciprocal(expression)", "functions take variables"));
   const std::string functions = "the functions of an energy are power, exp, log, sqrt, sin, cos, reciprocal";
   EXPECT_THAT(build_error(fabric("bad", "return p[0] * pow(c.C11, 2.0);")), hinted("pow(const T&, double)", functions));
   EXPECT_THAT(build_error(fabric("bad", "return p[0] * std::exp(c.C11);")), hinted("exp(const T&)", functions));

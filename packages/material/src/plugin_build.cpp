@@ -93,6 +93,9 @@ void shorten_types(std::string& line) {
   shorten(line, "toile::material::PlaneC", "PlaneC<T>");
   shorten(line, "toile::material::Params", "Params<P>");
   shorten(line, "Sacado::mpl::enable_if_c", "expression");
+  shorten(line, "Sacado::mpl::disable_if_c", "expression");
+  const std::regex operation("(Sacado::Fad::Exp::\\w+Op)<");
+  for (std::smatch found; std::regex_search(line, found, operation);) shorten(line, found.str(1), "expression");
   shorten(line, "Sacado::Fad::Exp::GeneralFad", "T");
   shorten(line, "toile::material::SecondOrder", "T");
   line = std::regex_replace(line, std::regex("expression::type( \\{aka [^}]*\\})?"), "expression");
@@ -108,7 +111,7 @@ std::string hint_on(const std::string& error) {
   if (says(call + "(power|exp|log|sqrt|sin|cos|reciprocal|less|where)\\(.*\\bexpression\\b"))
     return "functions take variables, not expressions: write const T x = ...; first";
   if (says(call + "(a?(sin|cos|tan)h?|pow|exp(2|m1)?|log(2|10|1p)?|sqrt|cbrt|hypot|f?(abs|min|max))\\(") ||
-      says("cannot convert .*\\bT\\b.* to \\W*double"))
+      says("cannot convert .*\\bT\\b.* to \\W*double\\W*$"))
     return "the functions of an energy are power, exp, log, sqrt, sin, cos, reciprocal, and where(less(a, b), yes, no) "
            "for a choice; write them without std::";
   return "";
@@ -143,6 +146,7 @@ std::string first_errors(const std::string& said, const std::string& source) {
       }
       shows_code = own && is_new;
     } else if (!line.empty() && line.front() == ' ' && shows_code && line.find('|') != std::string::npos) {
+      shorten_types(line);
       text += line + "\n";
     } else {
       shows_code = false;
