@@ -24,6 +24,7 @@ Words command_of(const std::string& source, const std::string& library) {
   const Toolchain& own = toolchain();
   Words command = {own.compiler};
   command.insert(command.end(), own.flags.begin(), own.flags.end());
+  // The linker refuses a library without the symbol of TOILE_MATERIAL, so that none is left behind.
   for (const char* flag : {"-fPIC", "-shared", "-fvisibility=hidden", "-fvisibility-inlines-hidden", "-w",
                            "-fmax-errors=5", "-fdiagnostics-color=never", "-Wl,--require-defined=toile_material"})
     command.emplace_back(flag);
