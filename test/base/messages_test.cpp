@@ -1,4 +1,5 @@
 #include <Teuchos_Array.hpp>
+#include <cmath>
 
 #include "scene.hpp"
 
@@ -167,6 +168,16 @@ TEST(Messages, FailNamesPlaceAndValue) {
             front + "parameter \"width\" = 10: must be less than the girth");
   EXPECT_EQ(input_error([&list] { list.fail("grain", "must be set"); }),
             front + "parameter \"grain\" = \"wale\" (default): must be set");
+}
+
+// A default that is no finite number only means that there is none, so it is not shown as a value.
+TEST(Messages, FailShowsNoDefaultThatIsNoNumber) {
+  Spec spec("bounds", "Bounds.");
+  spec.real("lower", "mm", "Lower bound.", std::nan("")).real("upper", "mm", "Upper bound.", HUGE_VAL);
+  const List list = validate(ParameterList(), spec, "leg.xml");
+  for (const std::string name : {"lower", "upper"})
+    EXPECT_EQ(input_error([&] { list.fail(name, "must be given"); }),
+              "leg.xml: bounds: parameter \"" + name + "\" (not given): must be given");
 }
 
 }  // namespace

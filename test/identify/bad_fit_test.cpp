@@ -90,6 +90,31 @@ TEST(BadData, NotANumber) {
   EXPECT_EQ(data_error(titles + "1.2\n"), "wale.csv, line 3: 1 cells, but the titles of line 1 are 2");
 }
 
+// The mark that spreadsheets put in front of UTF-8 is no part of the first title.
+TEST(BadData, ByteOrderMark) {
+  EXPECT_EQ(
+      data_error("\xEF\xBB\xBFstrain [furlong], nominal stress [MPa]\n0.1, 2\n"),
+      "wale.csv, line 1, column 1 \"strain\": unknown unit \"furlong\"; write \"strain [unit]\" with one of: -, %");
+}
+
+// A file with semicolons, as spreadsheets write it where numbers have a comma, is told so.
+TEST(BadData, Semicolons) {
+  EXPECT_EQ(data_error("stretch [-]; nominal stress [MPa]\n1,1; 0,1\n"),
+            "wale.csv, line 1: columns are separated by semicolons; write commas, and points in numbers");
+}
+
+// A stretch that no fabric reaches: per cent under the title of a fraction, or a wrong length at rest.
+TEST(BadData, TooLarge) {
+  EXPECT_EQ(data_error("strain [-], nominal stress [MPa]\n0, 0\n5, 0.1\n10, 0.2\n20, 0.3\n"),
+            "wale.csv, line 4, column 1 \"strain\": 10 is a stretch of 11, allowed: <= 10; was \"strain [%]\" meant?");
+  EXPECT_THAT(data_error("stretch [-], nominal stress [MPa]\n10, 0.1\n20, 0.2\n30, 0.3\n"),
+              HasSubstr("line 3, column 1 \"stretch\": 20 is a stretch of 20, allowed: <= 10"));
+  EXPECT_THAT(data_error("displacement [m], nominal stress [MPa]\n1, 0.1\n2, 0.2\n3, 0.3\n",
+                         parameter("gauge length", "double", "100")),
+              HasSubstr("1 is a stretch of 11, allowed: <= 10; is \"gauge length\" the length at rest, and is the unit "
+                        "right?"));
+}
+
 // Too few rows, no titles, no file, a stretch that is impossible, no load at all.
 TEST(BadData, Contents) {
   EXPECT_EQ(data_error("stretch [-], nominal stress [MPa]\n1.1, 0.1\n1.2, 0.2\n"),
@@ -171,7 +196,7 @@ TEST(BadFit, FreeParameters) {
               HasSubstr("fit > Free > swap axes: \"swap axes\" is one of the words false|true; only numbers can be "
                         "free"));
   EXPECT_THAT(fit_error(material, list("C10", parameter("lower", "double", "0.1"))),
-              HasSubstr("parameter \"upper\" = inf (default): must be given, because the material does not bound "
+              HasSubstr("parameter \"upper\" (not given): must be given, because the material does not bound "
                         "\"C10\": the search needs a finite interval"));
 }
 

@@ -166,7 +166,7 @@ std::string typed_error(const std::string& free, const std::string& formulas) {
 TEST(BadFormula, NeedsBounds) {
   const std::string open = list("C10", "") + list("c0", "") + list("c1", "");
   EXPECT_THAT(typed_error(open, typed_rebar("")),
-              HasSubstr("fit > Free > C10: parameter \"lower\" = -inf (default): must be given, because the material "
+              HasSubstr("fit > Free > C10: parameter \"lower\" (not given): must be given, because the material "
                         "does not bound \"C10\": the search needs a finite interval"));
   const FitFolder folder;
   folder.measure(wale, 0.02);

@@ -1,5 +1,6 @@
 #include "plugins.hpp"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 
 #include <Teuchos_ParameterList.hpp>
@@ -16,16 +17,20 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// A fabric of five lines; `line` is its energy.
-std::string fabric(const std::string& name, const std::string& line) {
+const std::string entry = "{\"C10\", \"MPa\", \"Modulus.\", 1.0, 0.0, infinity, 1}";
+
+/// A fabric of five lines; `line` is its energy, `entries` are the `declared` ones of its info.
+std::string fabric(const std::string& name, const std::string& line, const std::string& entries = entry,
+                   int declared = 1) {
   return "#include \"toile/material/plugin.hpp\"\n"
          "using namespace toile::material;\n"
          "struct Fabric {\n"
          "  static constexpr const char *name = \"" +
          name +
          "\", *text = \"A test.\";\n"
-         "  static constexpr std::array<ParamInfo, 1> info = {{{\"C10\", \"MPa\", \"Modulus.\", 1.0, 0.0, infinity, "
-         "1}}};\n"
+         "  static constexpr std::array<ParamInfo, " +
+         std::to_string(declared) + "> info = {{" + entries +
+         "}};\n"
          "  template <class T, class P> static T energy(const PlaneC<T>& c, const Params<P>& p) {\n"
          "    " +
          line +
@@ -94,6 +99,59 @@ TEST(PlugIn, errors_in_headers_name_the_authors_line) {
   EXPECT_THAT(result.messages, AllOf(StartsWith(source + ":"), HasSubstr("error: "), Not(HasSubstr("/include/"))));
 }
 
+/// What is said of a file bad.cpp with `text`, without the folder in front of names; no library is left behind.
+std::string build_error(const std::string& text) {
+  const Folder folder;
+  const PlugInBuild result = build_plugin(folder.write("bad.cpp", text), folder.file("bad.so"));
+  EXPECT_FALSE(result.good);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("bad.so")));
+  std::string message = result.messages;
+  for (auto at = message.find(folder.file("")); at != std::string::npos; at = message.find(folder.file("")))
+    message.replace(at, folder.file("").size(), "");
+  return message;
+}
+
+// More entries of info than are written, and two of one name, are refused when the fabric is compiled.
+TEST(PlugIn, entries_of_info) {
+  EXPECT_THAT(build_error(fabric("bad", good_line, entry, 2)),
+              AllOf(StartsWith("bad.cpp:10:"), HasSubstr("`info` is declared with more entries than are written")));
+  EXPECT_THAT(build_error(fabric("bad", good_line, entry + ", " + entry, 2)),
+              AllOf(StartsWith("bad.cpp:10:"), HasSubstr("two entries of `info` have the same name")));
+}
+
+// What newcomers write of habit is told once, at their line, in the names that they wrote, with what to write instead.
+TEST(PlugIn, hints) {
+  const auto hinted = [](const std::string& error, const std::string& hint) {
+    return AllOf(StartsWith("bad.cpp:7:"), HasSubstr(error), HasSubstr("\nHint: " + hint), Not(HasSubstr("Sacado")),
+                 Not(HasSubstr("toile::material")), Not(HasSubstr("bad.cpp:10:")));
+  };
+  EXPECT_THAT(build_error(fabric("bad", "if (c.C11 > 1.0) return T(0.0); " + good_line)),
+              hinted("operator>", "an energy has no `if` on a variable: use where(less(a, b), yes, no)\n"));
+  EXPECT_THAT(
+      build_error(fabric("bad", "return power(c.C11 + c.C22, p[0]);")),
+      hinted("power(expression, ", "functions take variables, not expressions: write const T x = ...; first\n"));
+  EXPECT_THAT(build_error(fabric("bad", "return p[0] * reciprocal(c.C11 - 2.0);")),
+              hinted("reciprocal(expression)", "functions take variables"));
+  const std::string functions = "the functions of an energy are power, exp, log, sqrt, sin, cos, reciprocal";
+  EXPECT_THAT(build_error(fabric("bad", "return p[0] * pow(c.C11, 2.0);")), hinted("pow(const T&, double)", functions));
+  EXPECT_THAT(build_error(fabric("bad", "return p[0] * std::exp(c.C11);")), hinted("exp(const T&)", functions));
+}
+
+// A file that ends without its TOILE_MATERIAL holds no fabric: what is missing is named.
+TEST(PlugIn, no_fabric_in_source) {
+  EXPECT_EQ(build_error("int answer() { return 42; }\n"),
+            "bad.cpp: error: TOILE_MATERIAL(YourLaw) is missing: end the file with it, YourLaw being the fabric's "
+            "struct\n");
+}
+
+// A file that is not C++ by its name is refused before the compiler or the linker sees it.
+TEST(PlugIn, no_cpp_file) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.xml", "<ParameterList/>");
+  EXPECT_EQ(input_error([&] { build_plugin(scene, folder.file("scene.so")); }),
+            scene + ": a plug-in is made from a C++ file; the name ends with \".xml\", allowed: .cpp, .cc, .cxx");
+}
+
 // A source that is not there.
 TEST(PlugIn, no_source) {
   EXPECT_EQ(input_error([] { build_plugin("nowhere.cpp", "nowhere.so"); }), "nowhere.cpp: there is no such file");
@@ -107,7 +165,9 @@ TEST(PlugIn, not_a_plugin) {
   const std::string text = folder.write("text.so", "no library");
   EXPECT_THAT(input_error([&] { load_plugin(text); }),
               StartsWith(text + ": this is not a shared library that can be loaded: "));
-  const std::string empty = build(folder, "empty", "int answer() { return 42; }\n");
+  Dl_info c_library = {};
+  ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, "getenv"), &c_library), 0);
+  const std::string empty = c_library.dli_fname;
   EXPECT_THAT(input_error([&] { load_plugin(empty); }), StartsWith(empty + ": this library holds no fabric"));
 }
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "list_data.hpp"
 #include "text.hpp"
 #include "toile/base/error.hpp"
@@ -14,6 +16,12 @@ const T& get(const List::Data& data, const std::string& name) {
                 "parameter '" + name + "' is read in '" + data.path + "' but not declared there with this type");
   }
   return *value;
+}
+
+/// A default that only says that there is none; a value that is given is finite.
+bool is_no_number(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr && !std::isfinite(*number);
 }
 
 }  // namespace
@@ -99,6 +107,8 @@ void List::fail(const std::string& parameter, const std::string& problem) const 
   const auto value = data_->values.find(parameter);
   if (has_table(parameter)) {
     found = " = table";
+  } else if (value != data_->values.end() && is_no_number(value->second)) {
+    found = " (not given)";
   } else if (value != data_->values.end()) {
     found = " = " + value_text(value->second) + (given(parameter) ? "" : " (default)");
   }

@@ -9,6 +9,9 @@
 namespace toile::identify {
 namespace {
 
+/// What spreadsheets put in front of UTF-8.
+const std::string byte_order_mark = "\xEF\xBB\xBF";
+
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\"");
   if (first == std::string::npos) return "";
@@ -32,6 +35,15 @@ CsvColumn title(const std::string& cell, int number) {
   return {trimmed(cell.substr(0, open)), trimmed(cell.substr(open + 1, close - open - 1)), number, true, {}};
 }
 
+/// The titles of `line`; a line whose cells are separated otherwise is refused.
+void add_titles(CsvFile& file, const std::string& line) {
+  if (line.find(',') == std::string::npos && line.find(';') != std::string::npos)
+    throw base::InputError(file.path + ", line " + std::to_string(file.title_line) +
+                           ": columns are separated by semicolons; write commas, and points in numbers");
+  for (const std::string& cell : cells_of(line))
+    file.columns.push_back(title(cell, static_cast<int>(file.columns.size()) + 1));
+}
+
 void add_row(CsvFile& file, const std::string& line, int number) {
   const std::vector<std::string> cells = cells_of(line);
   if (cells.size() != file.columns.size())
@@ -52,14 +64,15 @@ CsvFile read_csv(const std::string& path) {
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
+    if (number == 1 && line.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+      line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
     if (file.title_line != 0) {
       add_row(file, line, number);
       continue;
     }
     file.title_line = number;
-    for (const std::string& cell : cells_of(line))
-      file.columns.push_back(title(cell, static_cast<int>(file.columns.size()) + 1));
+    add_titles(file, line);
   }
   if (file.title_line == 0) throw base::InputError(path + ": the file has no line of titles");
   return file;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "csv_columns.hpp"
 #include "toile/base/error.hpp"
@@ -11,6 +12,8 @@ namespace toile::identify {
 namespace {
 
 constexpr std::size_t least_rows = 3;
+/// No fabric reaches it: what is above is in another unit than its title says.
+constexpr double largest_stretch = 10.0;
 
 struct Unit {
   const char* name;
@@ -97,6 +100,16 @@ double needed(const base::List& list, const std::string& parameter, const Found&
   return needed(list, parameter, "the data file holds \"" + std::string(found.quantity->name) + "\"");
 }
 
+std::string too_large(const CsvFile& file, const Found& found, std::size_t row, double stretch) {
+  std::string question = "is \"gauge length\" the length at rest, and is the unit right?";
+  if (found.column->unit == "-") question = "was \"strain [%]\" meant?";
+  if (found.column->unit == "%") question = "is the number right?";
+  std::ostringstream text;
+  text << place(file, file.lines[row], *found.column) << found.column->cells[row] << " is a stretch of " << stretch
+       << ", allowed: <= " << largest_stretch << "; " << question;
+  return text.str();
+}
+
 std::vector<double> stretches(const CsvFile& file, const base::List& list) {
   const Found found = find_column(file, elongations(), "elongation");
   const std::string name = found.quantity->name;
@@ -114,6 +127,7 @@ std::vector<double> stretches(const CsvFile& file, const base::List& list) {
     if (values[i] <= 0.0)
       throw base::InputError(place(file, file.lines[i], *found.column) + found.column->cells[i] +
                              " is a stretch of zero or less; a stretch is the length over the length at rest");
+    if (values[i] > largest_stretch) throw base::InputError(too_large(file, found, i, values[i]));
   }
   return values;
 }

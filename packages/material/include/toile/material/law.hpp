@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "toile/material/differentiate.hpp"
 #include "toile/material/material.hpp"
@@ -254,6 +255,22 @@ struct Check<Law, std::void_t<decltype(&Law::check)>> {
   static int run(const double* params, char* message, int length) { return Law::check(params, message, length); }
 };
 
+/// No entry lacks its name, unit or text: one that is declared but not written is all zero.
+template <std::size_t N>
+constexpr bool all_written(const std::array<ParamInfo, N>& info) {
+  for (const ParamInfo& one : info)
+    if (one.name == nullptr || one.unit == nullptr || one.text == nullptr) return false;
+  return true;
+}
+
+template <std::size_t N>
+constexpr bool names_differ(const std::array<ParamInfo, N>& info) {
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::string_view(info[i].name) == info[j].name) return false;
+  return true;
+}
+
 /// 1 + the index of the first parameter that is outside its range, with the message; 0: none.
 inline int check_ranges(const ParamInfo* params_info, int n_params, const double* params, char* message, int length) {
   for (int k = 0; k < n_params; ++k) {
@@ -281,6 +298,9 @@ int check(const void*, const double* params, char* message, int length) {
 /// The C interface of `Law`.
 template <class Law>
 constexpr MaterialV1 make_law() {
+  constexpr bool all_written = detail::all_written(Law::info);
+  static_assert(all_written, "`info` is declared with more entries than are written, each with name, unit and text");
+  if constexpr (all_written) static_assert(detail::names_differ(Law::info), "two entries of `info` have the same name");
   return {material_abi,
           Law::name,
           Law::text,

@@ -9,14 +9,14 @@ namespace toile::material {
 /// One run of the compiler on a fabric's file.
 struct PlugInBuild {
   bool good = false;
-  std::string command;  ///< as for a shell
-  std::string
-      messages;  ///< the first errors, with the author's file and line; all of what the compiler said if `verbose`
+  std::string command;   ///< as for a shell
+  std::string messages;  ///< the first errors, with the author's file and line, and hints; all of what the compiler
+                         ///< said if `verbose`
 };
 
 /// Compiles the C++ file `source` (see plugin.hpp) to the plug-in `library` with the compiler, the flags and the
-/// headers that Toile itself was built with. Throws InputError if the source, the compiler or Toile's headers are not
-/// there.
+/// headers that Toile itself was built with. A source without TOILE_MATERIAL is an error of the build. Throws
+/// InputError if the source, the compiler or Toile's headers are not there, or the source is not .cpp, .cc or .cxx.
 PlugInBuild build_plugin(const std::string& source, const std::string& library, bool verbose = false);
 
 /// The law in the plug-in `library`; the library stays loaded as long as the law lives. Throws InputError, naming the
