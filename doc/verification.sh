@@ -10,7 +10,7 @@ section() {  # title, text, test and its arguments
   printf '\n## %s\n\n%s\n\n```\n' "$1" "$2"
   local start=$SECONDS log
   log="$("$build/$3" "${@:4}")" || { printf '%s\n' "$log" >&2; return 1; }
-  grep -vE '^(\[|Note|$)' <<<"$log" | sed 's/  rate nan/  rate -/' || true
+  grep -vE '^(\[|Note|Running main|$)' <<<"$log" | sed 's/  rate nan/  rate -/' || true
   printf '```\n\nRun time of `%s`: %d s on one core.\n' "$3" "$((SECONDS - start))"
 }
 
