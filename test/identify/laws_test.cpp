@@ -89,10 +89,11 @@ TEST(Formula, FallingStressIsTold) {
                   free_parameter("c", 0.001, 0.01) + free_parameter("k", 0.01, 0.1) + free_parameter("m", 0.2, 1.0),
                   tests, one_start + parameter("keep tangent positive", "bool", "true"));
   const Fitted f = fitted(folder);
-  EXPECT_THAT(f.result.falls, HasSubstr("curve \"wale\" falls from stretch "));
-  EXPECT_THAT(report_text(f.problem, f.result, curve_reports(f.problem, f.result.params),
-                          parameter_statistics(f.problem, f.result)),
-              HasSubstr("the stress does not rise everywhere, as was asked for: " + f.result.falls));
+  EXPECT_THAT(f.result.falls, HasSubstr("curve \"wale\" at stretch "));
+  EXPECT_THAT(
+      report_text(f.problem, f.result, curve_reports(f.problem, f.result.params),
+                  parameter_statistics(f.problem, f.result)),
+      HasSubstr("the stress does not rise everywhere, as was asked for: it falls to that of " + f.result.falls));
 }
 
 // A fit that finds no parameters with a state at every point has no result, and says which curve has none.
@@ -109,7 +110,7 @@ TEST(Formula, WithoutStatesThereIsNoResult) {
     FAIL() << "it has a result";
   } catch (const base::Error& error) {
     EXPECT_EQ(error.code(), base::ExitCode::solve_failed);
-    EXPECT_THAT(error.what(), HasSubstr("curve \"wale\" has none at stretch 1.0"));
+    EXPECT_THAT(error.what(), HasSubstr("there is none for curve \"wale\" at stretch 1.0"));
   }
 }
 

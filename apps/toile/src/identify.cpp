@@ -211,7 +211,8 @@ int identify(const IdentifyArguments& arguments) {
   if (material::find(problem.law().name) == nullptr)
     log.info("A scene needs the law of this material too: let it include " + folder + "/include.xml, which holds both");
   if (!result.falls.empty())
-    throw base::Error(base::ExitCode::check_failed, "\"keep tangent positive\" does not hold: " + result.falls);
+    throw base::Error(base::ExitCode::check_failed,
+                      "\"keep tangent positive\" does not hold: the stress falls to that of " + result.falls);
   return static_cast<int>(base::ExitCode::success);
 }
 

@@ -48,37 +48,31 @@ bool polish_with_strips(const FitProblem& problem, Residuals& residuals, Start& 
   return true;
 }
 
-/// "curve \"wale\" from stretch 1.5 on": the first fitted curve that has no state at some point.
-std::string missing_states(const FitProblem& problem, const std::vector<double>& params) {
+/// The first stretch of a fitted curve, in their order, of which `is_wanted`(stresses of the curve, index) tells:
+/// "curve \"wale\" at stretch 1.5"; empty if there is none.
+template <class Condition>
+std::string first_place(const FitProblem& problem, const std::vector<double>& params, const Condition& is_wanted) {
   for (const Curve& curve : problem.curves()) {
+    if (curve.weight == 0.0) continue;
     std::vector<double> stress(curve.stretch.size());
-    if (curve.weight == 0.0 || forward_model({curve})->stress(problem.law(), params.data(), stress.data()) == 0)
-      continue;
-    for (std::size_t i = 0; i < stress.size(); ++i)
-      if (!std::isfinite(stress[i])) {
-        std::ostringstream text;
-        text << "curve \"" << curve.name << "\" has none at stretch " << curve.stretch[i];
-        return text.str();
-      }
+    forward_model({curve})->stress(problem.law(), params.data(), stress.data());
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+      if (!is_wanted(stress, i)) continue;
+      std::ostringstream text;
+      text << "curve \"" << curve.name << "\" at stretch " << curve.stretch[i];
+      return text.str();
+    }
   }
   return "";
 }
 
-/// Where the stress of a fitted curve falls.
+std::string missing_state(const FitProblem& problem, const std::vector<double>& params) {
+  return first_place(problem, params, [](const auto& stress, std::size_t i) { return !std::isfinite(stress[i]); });
+}
+
 std::string falling_stress(const FitProblem& problem, const std::vector<double>& params) {
-  for (const Curve& curve : problem.curves()) {
-    std::vector<double> stress(curve.stretch.size());
-    if (curve.weight == 0.0) continue;
-    forward_model({curve})->stress(problem.law(), params.data(), stress.data());
-    for (std::size_t i = 1; i < stress.size(); ++i)
-      if (stress[i] < stress[i - 1]) {
-        std::ostringstream text;
-        text << "curve \"" << curve.name << "\" falls from stretch " << curve.stretch[i - 1] << " to "
-             << curve.stretch[i];
-        return text.str();
-      }
-  }
-  return "";
+  return first_place(problem, params,
+                     [](const auto& stress, std::size_t i) { return i > 0 && stress[i] < stress[i - 1]; });
 }
 
 }  // namespace
@@ -109,8 +103,9 @@ FitResult fit(const FitProblem& problem, const Algorithm& algorithm, const FitPr
   result.params = problem.params(result.x());
   if (result.chi_squared >= Residuals::hopeless)
     throw base::Error(base::ExitCode::solve_failed,
-                      "the fit has no result: no start ended at parameters for which every fitted point has a state (" +
-                          missing_states(problem, result.params) +
+                      "the fit has no result: no start ended at parameters for which every fitted point has a state "
+                      "(there is none for " +
+                          missing_state(problem, result.params) +
                           "); other bounds, more generations or starts, or shorter curves may help");
   if (problem.keeps_rising()) result.falls = falling_stress(problem, result.params);
   return result;

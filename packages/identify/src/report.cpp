@@ -129,7 +129,8 @@ std::string report_text(const FitProblem& problem, const FitResult& result, cons
   write_starts(out, result, problem.fits_strips());
   out << "Curves: fit minus data, each point a homogeneous state unless a line tells of a clamped strip\n";
   for (const CurveReport& r : curves) write_curve(out, r);
-  if (!result.falls.empty()) out << "  the stress does not rise everywhere, as was asked for: " << result.falls << "\n";
+  if (!result.falls.empty())
+    out << "  the stress does not rise everywhere, as was asked for: it falls to that of " << result.falls << "\n";
   out << "  residuals are " << statistics.noise << " times the noise that the data were said to have"
       << (statistics.noise > misfit ? ": the law does not follow these curves, and the deviations below are too small\n"
                                     : "\n");

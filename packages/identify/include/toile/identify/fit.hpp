@@ -30,7 +30,7 @@ struct FitResult {
   std::size_t best = 0;        ///< of the starts
   std::vector<double> params;  ///< [n_params] of the best one
   double chi_squared = 0.0;
-  std::string falls;  ///< where the stress falls although it must rise; empty: nowhere
+  std::string falls;  ///< first place to which the stress falls although it must rise; empty: none
 
   const std::vector<double>& x() const { return starts[best].x; }
 };
