@@ -17,16 +17,19 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
   bool converged = solve(0.0);
   const RCP<Vector> first = z;
   equilibrium.start_step(*first, 0.0);
+  double proven = equilibrium.damping();  // the last coefficient with which the first step was found
   for (int round = 0; round < rounds && converged; ++round) {
     z = first;
     converged = solve(stage.first_step);
-    const double now = equilibrium.dissipation(*z, stage.first_step), c = equilibrium.damping();
+    if (!converged) break;
+    const double now = equilibrium.dissipation(*z, stage.first_step), c = proven = equilibrium.damping();
     const double step_squared = now * stage.first_step / (c * equilibrium.mean_mass());
     const double energy = equilibrium.strain_energy(), wanted = stage.damping.fraction * energy;
     const double least = next_to_nothing * std::abs(equilibrium.mean_tangent_diagonal()) * step_squared;
-    if (!converged || now <= 0.0 || energy <= least || std::abs(std::log2(wanted / now)) < 1.0) break;
+    if (now <= 0.0 || energy <= least || std::abs(std::log2(wanted / now)) < 1.0) break;
     equilibrium.set_damping(c * wanted / now);
   }
+  if (!converged) equilibrium.set_damping(proven);
   z = before;
   equilibrium.start_step(*z, 0.0);
 }
