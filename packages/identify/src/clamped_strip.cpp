@@ -90,8 +90,9 @@ std::optional<State> load(StripEquations& equations, State state, double end) {
     const double u = is_last ? end : state.u + step, h = u - state.u;
     auto next = equilibrium(equations, u, state.x + h * state.v + 0.5 * h * h * state.dv);
     if (next) {
-      next->dv = (next->v - state.v) / h;
+      Vector dv = (next->v - state.v) / h;
       state = std::move(*next);
+      state.dv = std::move(dv);
       continue;
     }
     step *= 0.5;

@@ -7,8 +7,9 @@
 
 namespace toile::solve {
 
-/// Brings the stage's state to equilibrium at the parameter s; false: it could not, and the state is as it was.
-using SolveAt = std::function<bool(double s)>;
+/// Brings the stage's state to equilibrium at the parameter s. Returns Newton's iterations; nothing: it could not, and
+/// the state is as it was.
+using SolveAt = std::function<std::optional<int>(double s)>;
 
 /// Damping where there is no energy to measure (flat, floating panels): its diagonal is 1e-4 of the mean tangent
 /// diagonal (DESIGN "Stabilisation").
@@ -21,8 +22,9 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
 /// Towards the wanted share of the largest strain energy, from what the last step dissipated (N mm).
 void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double dissipated);
 
-/// Damped steps at the end of the stage, each from where the last one ended: the damping fades by tens, and grows by a
-/// hundred where a step fails. Returns what they dissipated, N mm; nothing: no damping was enough.
+/// Damped steps at the end of the stage, each from where the last one ended: the damping fades the faster the fewer
+/// iterations a step takes, and grows where one fails. Returns what they dissipated, N mm; nothing: no damping was
+/// enough.
 std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
                                    const SolveAt& solve);
 

@@ -67,7 +67,11 @@ struct Simulation::Data {
   void judge(const StepReport& last);
   void march();
   SolveAt solver() {
-    return [this](double s) { return solve(s); };
+    return [this](double s) -> std::optional<int> {
+      const int before = iterations;
+      if (!solve(s)) return std::nullopt;
+      return iterations - before;
+    };
   }
   std::string where() const { return "stage \"" + stage.name + "\": "; }
   void count_pivots(double s, StepReport& report);
