@@ -219,6 +219,8 @@ def look_at(renderer, towards, right, upwards):
     """Parallel view of everything, with room for the colour bar on the right. Returns width / height."""
     bounds = renderer.ComputeVisiblePropBounds()
     height, width = 1.08 * extent(bounds, upwards), 1.05 * extent(bounds, right)
+    if min(height, width) < 1e-6 * max(height, width):
+        sys.exit("render.py: the result is flat and is seen from its edge; choose another --up or --angle")
     ratio = min(max(width / height + 0.3, 0.8), 2.0)
     scale = max(height, width / (ratio - 0.3))
     aside = 0.15 * scale

@@ -18,20 +18,22 @@ double sleeve(double /*z*/) {
   return 32.0;
 }
 
-/// A sleeve with a field on nodes and one on elements, on a body.
-std::string write_example(const TemporaryFolder& folder) {
-  const mesh::Mesh garment = tube(sleeve, 20.0, 60.0, 24, 8);
+/// A sleeve with a field on nodes and one on elements, on a body, or pressed flat into y = 0 without one.
+std::string write_example(const TemporaryFolder& folder, bool flat = false) {
+  mesh::Mesh garment = tube(sleeve, 20.0, 60.0, 24, 8);
   const body::TriangleMesh body = revolution(cylinder, 0.0, 100.0, 24, 10);
+  if (flat)
+    for (mesh::Vec3& node : garment.placed) node.y() = 0.0;
   FieldNames fields;
   fields.nodal = {{"pressure", "kPa"}};
   fields.element = {{"thickness", "mm"}};
-  ExodusWriter writer(folder.file("out.exo"), garment, &body, fields);
+  ExodusWriter writer(folder.file("out.exo"), garment, flat ? nullptr : &body, fields);
   StepData data;
   for (const mesh::Vec3& node : garment.placed) {
     data.displacement.push_back(mesh::Vec3(-node.x(), -node.y(), 0.0) / 32.0);
     data.nodal["pressure"].push_back(0.01 * node.z());
   }
-  data.body_nodal["pressure"] = std::vector<double>(body.vertices.size(), 0.5);
+  if (!flat) data.body_nodal["pressure"] = std::vector<double>(body.vertices.size(), 0.5);
   data.element["thickness"] = std::vector<double>(static_cast<std::size_t>(garment.elements()), 0.8);
   writer.write_step(1.0, data);
   return writer.path();
@@ -75,6 +77,16 @@ TEST_F(Render, DrawsPictures) {
     EXPECT_GT(png_size(picture).first, 200) << field;
     std::filesystem::remove(picture);
   }
+}
+
+// A flat result is drawn from a side and refused, with a way out, from its edge.
+TEST_F(Render, RefusesToLookAtAnEdge) {
+  const TemporaryFolder folder;
+  const std::string arguments = write_example(folder, true) + " " + folder.file("picture.png") + " --height 300";
+  EXPECT_EQ(run(arguments, folder.file("messages")), 0) << read_text(folder.file("messages"));
+  EXPECT_NE(run(arguments + " --up y", folder.file("messages")), 0);
+  EXPECT_EQ(read_text(folder.file("messages")),
+            "render.py: the result is flat and is seen from its edge; choose another --up or --angle\n");
 }
 
 // A field that is not in the file is refused with the list of those that are; the viewer sees vectors as one field.
