@@ -169,6 +169,8 @@ TEST(Fit, NamesWhatDataCannotDetermine) {
   const ParameterStatistics s = parameter_statistics(o.problem, o.result);
   EXPECT_TRUE(std::isfinite(s.deviation[0]));
   EXPECT_TRUE(std::isinf(s.deviation[1]));
+  EXPECT_TRUE(std::isfinite(s.covariance[0]));
+  for (int i = 1; i < 4; ++i) EXPECT_TRUE(std::isnan(s.covariance[i])) << i;
   EXPECT_GT(s.combinations.back().deviation, undetermined);
   EXPECT_EQ(combination_text(o.problem, s.combinations.back()), "1 d0");
 }

@@ -128,11 +128,16 @@ ParameterStatistics parameter_statistics(const FitProblem& problem, const FitRes
     else
       for (std::size_t k = 0; k < open.size(); ++k) open[k] = open[k] || std::abs(combination.factors[k]) > 1e-6;
   }
+  // Neither zero nor what the other directions leave may be read as the covariance of a parameter that has none.
   for (Eigen::Index a = 0; a < n; ++a) {
     statistics.held.push_back(directions.row(a).norm() < 1e-9);
+    if (!statistics.held[a] && !open[a]) continue;
+    covariance.row(a).setConstant(std::numeric_limits<double>::quiet_NaN());
+    covariance.col(a).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  for (Eigen::Index a = 0; a < n; ++a) {
     statistics.deviation.push_back(statistics.scale[a] * std::sqrt(covariance(a, a)));
     if (open[a]) statistics.deviation.back() = std::numeric_limits<double>::infinity();
-    if (statistics.held[a]) statistics.deviation.back() = std::numeric_limits<double>::quiet_NaN();
     for (Eigen::Index b = 0; b < n; ++b) {
       statistics.covariance.push_back(statistics.scale[a] * statistics.scale[b] * covariance(a, b));
       statistics.correlation.push_back(covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b)));
