@@ -21,6 +21,10 @@ toile_library(nox INCLUDE ${Trilinos_INCLUDE_DIRS}
   LINK trilinos_locathyra trilinos_loca trilinos_nox trilinos_belostpetra trilinos_belos trilinos_amesos2
        trilinos_thyratpetra trilinos_thyracore trilinos_rtop toile_lib_tpetra)
 
+find_path(EXPAT_INCLUDE expat.h REQUIRED)
+find_library(EXPAT_LIBRARY expat REQUIRED)
+toile_library(expat INCLUDE ${EXPAT_INCLUDE} LINK ${EXPAT_LIBRARY})
+
 find_path(EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
 toile_library(eigen INCLUDE ${EIGEN_INCLUDE})
 

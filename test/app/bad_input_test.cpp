@@ -64,7 +64,7 @@ TEST_F(BadInput, OutOfRange) {
 TEST_F(BadInput, MissingScene) {
   const Outcome run = toile("run nowhere.xml");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err, "toile: nowhere.xml: cannot open this file\n");
+  EXPECT_EQ(run.err, "toile: nowhere.xml: cannot open this file: No such file or directory\n");
 }
 
 // A folder in place of the scene.
