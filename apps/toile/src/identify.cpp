@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -18,6 +17,7 @@
 #include "toile/material/read_laws.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
+#include "toile/result/replace_file.hpp"
 
 namespace toile::app {
 
@@ -70,10 +70,7 @@ std::string folder_of(const IdentifyArguments& arguments, const base::List& list
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) throw base::InputError("cannot write " + path);
+  result::replace_file(path, text, "cannot write " + path + ": ");
 }
 
 /// All curves, one below the other.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "toile/base/error.hpp"
 #include "toile/base/units.hpp"
@@ -11,12 +10,24 @@
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
 #include "toile/result/pressure_lines.hpp"
+#include "toile/result/replace_file.hpp"
 #include "toile/result/state_file.hpp"
 #include "torques.hpp"
 
 namespace toile::app {
 
 namespace {
+
+const std::string exodus_name = "results.exo", history_name = "history.h5", restart_name = "restart.h5";
+
+/// Every file that a run may write into its folder.
+std::vector<std::string> result_files() {
+  std::vector<std::string> names = {exodus_name,           history_name,         restart_name,
+                                    "pressure-levels.csv", "pressure-curve.csv", "points.csv"};
+  for (const std::string plot : {"pressure", "force-curves", "torques"})
+    for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"}) names.push_back(plot + ending);
+  return names;
+}
 
 /// Units of solve::element_field_names(problem), in their order.
 const std::vector<std::string> element_units = {"",     "",     "",    "",   "MPa", "MPa", "MPa", "MPa", "MPa",
@@ -108,26 +119,27 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) throw base::InputError("cannot make the folder of the results \"" + folder + "\": " + problem.message());
-  const std::string probe = folder + "/.writable";
-  if (!std::ofstream(probe)) throw base::InputError("cannot write in the folder of the results \"" + folder + "\"");
-  std::filesystem::remove(probe);
+  const std::string failure = "cannot write in the folder of the results \"" + folder + "\": ";
+  result::Replacement(folder + "/.writable", failure);
+  for (const std::string& name : result_files()) result::check_replaceable(folder + "/" + name, failure + name + ": ");
   distances_.resize(scene.output().distances.size());
   points_.resize(scene.output().points.size());
 }
 
 void Recorder::open_files() {
-  for (const char* file :
-       {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
-    std::filesystem::remove(folder_ + "/" + file);
-  for (const std::string plot : {"pressure", "force-curves", "torques"})
-    for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})
-      std::filesystem::remove(folder_ + "/" + plot + ending);
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
   exodus_ =
-      std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
+      std::make_unique<result::ExodusWriter>(folder_ + "/" + exodus_name, scene_.garment().mesh,
                                              with_body ? &body_ : nullptr, field_names(scene_.problem(), with_body));
-  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names(scene_.problem()));
+  history_ = std::make_unique<result::History>(folder_ + "/" + history_name, global_names(scene_.problem()));
+}
+
+/// The files of the first step took the places of older ones; the others of the older run do not belong to them.
+void Recorder::remove_older() const {
+  for (const std::string& name : result_files())
+    if (name != exodus_name && name != history_name && name != restart_name)
+      result::remove_file(folder_ + "/" + name, "cannot remove the older result \"" + folder_ + "/" + name + "\": ");
 }
 
 void Recorder::step(const solve::StepReport& report, const solve::State& state) {
@@ -145,6 +157,7 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
   write_exodus(report);
   history_->append(global_values(scene_.problem(), report));
   write_restart(report, state);
+  if (reports_.size() == 1) remove_older();
 }
 
 void Recorder::write_exodus(const solve::StepReport& report) {
@@ -187,7 +200,7 @@ void Recorder::write_restart(const solve::StepReport& report, const solve::State
   data.integers["step"] = {report.step};
   data.metadata["stage"] = report.stage;
   data.metadata["title"] = scene_.title();
-  result::write_state(folder_ + "/restart.h5", data);
+  result::write_state(folder_ + "/" + restart_name, data);
 }
 
 void Recorder::finish(base::Log& log) {
