@@ -36,7 +36,8 @@ TEST(OutputFields, EveryDeclaredFieldIsWritten) {
     const auto& written = declared.place == solve::FieldPlace::node ? nodal : element;
     const bool of_wrinkles = declared.name.find("wrinkle") == 0;
     EXPECT_EQ(names_of(written).count(declared.name), of_wrinkles ? 0U : 1U) << declared.name;
-    if (!of_wrinkles) EXPECT_EQ(solve::named(written, declared.name).unit, declared.unit);
+    if (of_wrinkles) continue;
+    EXPECT_EQ(solve::named(written, declared.name).unit, declared.unit);
   }
 }
 
