@@ -118,6 +118,7 @@ template <class Action>
 int in_a_child(Action action) {
   const pid_t child = fork();
   if (child == 0) {
+    writes.done = 0;
     action();
     _exit(0);
   }

@@ -54,6 +54,7 @@ int check(const std::string& file, bool allow_plugins) {
 }
 
 int describe(bool markdown, const std::string& what, const std::string& scene, bool allow_plugins) {
+  if (what == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
   const std::vector<base::Spec> files = {scene::scene_spec(laws), fabric_file(), identify::fit_spec(laws)};
   // A whole fit file has a command of its own.

@@ -29,9 +29,9 @@ class Recorder {
   const std::vector<solve::StepReport>& reports() const { return reports_; }
 
  private:
-  void open_files();
+  void open_files(const solve::StepReport& report);
   void remove_older() const;
-  void write_exodus(const solve::StepReport& report);
+  void write_fields(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;
   void write_forces(base::Log& log) const;

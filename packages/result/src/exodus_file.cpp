@@ -1,5 +1,6 @@
 #include "exodus_file.hpp"
 
+#include <cerrno>
 #include <cstring>
 #include <utility>
 
@@ -14,8 +15,11 @@ std::string reason() {
   const char* function = nullptr;
   int code = 0;
   ex_get_err(&text, &function, &code);
-  if (code > 0) {
-    return std::strerror(code);  // of the system, for instance of a full disk
+  // Exodus tells what it stumbled over later; the reason is of the system.
+  for (const int full : {ENOSPC, EFBIG, EDQUOT, EIO}) {
+    if (errno == full || code == full) {
+      return std::strerror(full);
+    }
   }
   return std::string(text) + " (code " + std::to_string(code) + ")";
 }
@@ -29,6 +33,7 @@ int use_long_names(int id) {
 
 ExodusFile ExodusFile::create(const std::string& path) {
   const std::string failure = "cannot create the Exodus file '" + path + "': ";
+  errno = 0;
   ex_opts(EX_DEFAULT);
   int memory_word = sizeof(double);
   int file_word = sizeof(double);
