@@ -90,6 +90,8 @@ def to_mmhg(blocks, field):
             values = data.GetArray(field)
             for i in range(values.GetNumberOfTuples() if values is not None else 0):
                 values.SetValue(i, MMHG_PER_KPA * values.GetValue(i))
+            if values is not None:
+                values.Modified()
 
 
 def seams(vtk, grids):
