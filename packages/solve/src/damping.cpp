@@ -65,7 +65,8 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
   Vector f(first->getMap());
   equilibrium.residual(*first, 0.0, f);
   const double at_start = equilibrium.strain_energy();
-  double proven = equilibrium.damping();  // the last coefficient with which the first step was found
+  const double enough = equilibrium.damping();
+  double proven = enough;  // the last coefficient with which the first step was found
   for (int round = 0; round < rounds; ++round) {
     z = first;
     if (!solve(stage.first_step)) break;
@@ -81,6 +82,13 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
       break;
     else
       equilibrium.set_damping(c * wanted / now);
+  }
+  // The path starts at the stage's start again, which may need more than the first step.
+  for (; proven < enough; proven = std::min(10.0 * proven, enough)) {
+    equilibrium.set_damping(proven);
+    z = before;
+    equilibrium.start_step(*z, 0.0);
+    if (solve(0.0)) break;
   }
   equilibrium.set_damping(proven);
   z = before;
