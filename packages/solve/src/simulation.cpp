@@ -46,7 +46,7 @@ struct Simulation::Data {
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
-  std::optional<PathWatch> watch;  ///< of a path that can be left unseen: step by step in the load, undamped
+  std::optional<PathWatch> path_watch;  ///< of a path that can be left unseen: step by step in the load, undamped
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
 
@@ -177,7 +177,7 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.balance = equilibrium->balance(*z, s);
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
-  const std::string jump = watch ? watch->accepted(*z, s) : std::string();
+  const std::string jump = path_watch ? path_watch->accepted(*z, s) : std::string();
   if (!jump.empty()) warnings.push_back(where() + jump);
   equilibrium->start_step(*z, s);
   if (undamped || stage.stability_every_step) {
@@ -338,11 +338,11 @@ void Simulation::Data::march() {
   PathHooks hooks;
   hooks.report = [this](const Attempt& attempt) { return record(attempt); };
   if (!stage.damping.active && !stage.arc_length) {
-    watch.emplace(equilibrium, stage, options.newton);
-    hooks.accepts = [this](const Vector& at, double s, int n) { return watch->accepts(at, s, n); };
+    path_watch.emplace(equilibrium, stage, options.newton);
+    hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
   }
   follow_path(equilibrium, stage, options.newton, problem.surface == nullptr, *z, hooks);
-  watch.reset();
+  path_watch.reset();
   constexpr double round_off = 1e-12;
   if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
   std::ostringstream message;
