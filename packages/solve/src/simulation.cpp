@@ -341,7 +341,10 @@ void Simulation::Data::march() {
     path_watch.emplace(equilibrium, stage, options.newton);
     hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
   }
-  follow_path(equilibrium, stage, options.newton, problem.surface == nullptr, *z, hooks);
+  // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds leads
+  // anywhere.
+  const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
+  follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
   path_watch.reset();
   constexpr double round_off = 1e-12;
   if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
