@@ -117,17 +117,33 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
 
 void Recorder::open_files() {
   for (const char* file :
-       {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
+       {"start.exo", "results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
     std::filesystem::remove(folder_ + "/" + file);
   for (const std::string plot : {"pressure", "force-curves", "torques"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"})
       std::filesystem::remove(folder_ + "/" + plot + ending);
+  open_exodus("results.exo");
+  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names(scene_.problem()));
+}
+
+void Recorder::open_exodus(const std::string& file) {
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
   exodus_ =
-      std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
-                                             with_body ? &body_ : nullptr, field_names(scene_.problem(), with_body));
-  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names(scene_.problem()));
+      std::make_unique<result::ExodusWriter>(folder_ + "/" + file, scene_.garment().mesh, with_body ? &body_ : nullptr,
+                                             field_names(scene_.problem(), with_body));
+}
+
+void Recorder::write_start() {
+  solve::StepReport report;
+  report.balance.support.assign(scene_.problem().supports.size(), solve::Vec3::Zero());
+  report.balance.torque.assign(scene_.problem().supports.size(), 0.0);
+  const solve::State start = scene_.start();
+  report.seam = start.seam;
+  fields_ = solve::compute_fields(scene_.problem(), start);
+  open_exodus("start.exo");
+  write_exodus(report);
+  exodus_.reset();
 }
 
 void Recorder::step(const solve::StepReport& report, const solve::State& state) {

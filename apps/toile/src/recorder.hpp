@@ -21,6 +21,8 @@ class Recorder {
   /// Makes the folder. Throws base::InputError if it cannot be written.
   Recorder(const scene::Scene& scene, const std::string& folder);
 
+  /// start.exo: what the scene starts from, with the fields that results.exo has. Earlier results are left as they are.
+  void write_start();
   void step(const solve::StepReport& report, const solve::State& state);
   /// Curves and plots of the last state.
   void finish(base::Log& log);
@@ -30,6 +32,7 @@ class Recorder {
 
  private:
   void open_files();
+  void open_exodus(const std::string& file);
   void write_exodus(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;

@@ -18,10 +18,14 @@ constexpr size_t first_column = 2;  // after step and load
 
 }  // namespace
 
+std::string torque_name(const solve::Support& support) {
+  return "torque_" + plain(support.name);
+}
+
 std::vector<result::FieldName> torque_names(const solve::Problem& problem) {
   std::vector<result::FieldName> names;
   for (const solve::Support& support : problem.supports)
-    if (support.turn) names.push_back({"torque_" + plain(support.name), "N mm"});
+    if (support.turn) names.push_back({torque_name(support), "N mm"});
   return names;
 }
 
