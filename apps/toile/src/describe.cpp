@@ -29,6 +29,7 @@ base::Spec fabric_file() {
 }  // namespace
 
 int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
+  if (name == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
   std::vector<base::Spec> specs = {scene::scene_spec(laws), fabric_file()};
   if (!name.empty()) {

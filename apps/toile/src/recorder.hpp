@@ -31,9 +31,10 @@ class Recorder {
   const std::vector<solve::StepReport>& reports() const { return reports_; }
 
  private:
-  void open_files();
-  void open_exodus(const std::string& file);
-  void write_exodus(const solve::StepReport& report);
+  void open_files(const solve::StepReport& report);
+  /// Opens an Exodus file for the fields of the report and returns its global ones.
+  std::vector<result::FieldName> open_exodus(const std::string& file, const solve::StepReport& report);
+  void write_fields(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;
   void write_forces(base::Log& log) const;

@@ -4,7 +4,7 @@
 
 #include "toile/base/error.hpp"
 #include "toile/result/exodus_writer.hpp"
-#include "torques.hpp"
+#include "toile/solve/output_fields.hpp"
 
 namespace toile::app {
 
@@ -14,36 +14,35 @@ namespace {
   throw base::InputError(entry.file() + ": " + entry.path() + ": " + problem);
 }
 
-/// `added`: characters that results.exo puts to the name.
-void check_length(const base::List& entry, const std::string& kind, const std::string& added) {
-  const size_t most = static_cast<size_t>(result::longest_name) - added.size();
-  if (entry.name().size() <= most) return;
-  fail_name(entry, "the name of this " + kind + " has " + std::to_string(entry.name().size()) +
-                       " characters; results.exo holds at most " + std::to_string(most) + " (with \"" + added +
-                       "\" " + std::to_string(result::longest_name) + ")");
+/// `held`: the longest name in results.exo that is made of the entry's.
+void check_length(const base::List& entry, const std::string& held) {
+  constexpr size_t most = result::longest_name;
+  if (held.size() <= most) return;
+  fail_name(entry, "this name is too long for results.exo, where it makes \"" + held + "\" of " +
+                       std::to_string(held.size()) + " characters; at most " + std::to_string(most) +
+                       " are possible, so shorten the name by " + std::to_string(held.size() - most));
 }
 
 }  // namespace
 
 void check_names(const scene::Scene& scene, const base::List& list) {
   for (const base::List& panel : list.list("Panels").entries()) {
-    check_length(panel, "panel", ".bottom");
+    check_length(panel, panel.name() + ".bottom");
     if (panel.name() == "body" && scene.surface() != nullptr)
       fail_name(panel, "a panel cannot be named \"body\" in a scene with a body, which has this name in results.exo");
   }
   if (!list.has_list("Supports")) return;
-  std::map<std::string, std::string> support_of;  // name of its torque in the files
+  std::map<std::string, std::string> support_of;  // [name of a field]
   const std::vector<base::List> entries = list.list("Supports").entries();
-  for (size_t s = 0; s < entries.size(); ++s) {
-    if (!scene.problem().supports[s].turn) continue;
-    check_length(entries[s], "support that turns", "torque_");
-    const std::string field = torque_name(scene.problem().supports[s]);
-    const auto [other, is_new] = support_of.insert({field, entries[s].name()});
-    if (!is_new)
-      fail_name(entries[s], "the torque of this support and that of \"" + other->second +
-                                "\" would both be named \"" + field +
-                                "\" in the results: they differ in characters only that are no letter and no digit");
-  }
+  for (size_t s = 0; s < entries.size(); ++s)
+    for (const std::string& field : solve::field_names_of(scene.problem().supports[s])) {
+      check_length(entries[s], field);
+      const auto [other, is_new] = support_of.insert({field, entries[s].name()});
+      if (!is_new)
+        fail_name(entries[s], "this support and \"" + other->second + "\" would both have the field \"" + field +
+                                  "\" in the results, because their names differ only in signs that are no letters "
+                                  "and no digits; give one of them another name");
+    }
 }
 
 void tell_start(const scene::StartReport& start, base::Log& log) {

@@ -47,9 +47,9 @@ std::vector<double> closing(const Scene& scene, const std::vector<Vec3>& positio
   std::vector<int> sides(mesh.blocks.size(), 0);
   const auto block_of = [&](const std::string& edge) {
     const std::string panel = panel_of_edge(edge);
-    return static_cast<size_t>(std::find_if(mesh.blocks.begin(), mesh.blocks.end(),
-                                            [&](const mesh::Block& b) { return b.name == panel; }) -
-                               mesh.blocks.begin());
+    return static_cast<size_t>(
+        std::find_if(mesh.blocks.begin(), mesh.blocks.end(), [&](const mesh::Block& b) { return b.name == panel; }) -
+        mesh.blocks.begin());
   };
   for (const garment::Seam& seam : scene.garment().seams) {
     if (!is_side(seam.first) || !is_side(seam.second)) continue;
@@ -156,8 +156,8 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
       panel.high_pressure = high_pressure(*problem.surface, elements, values_of(fields, b, "tension_wale"),
                                           values_of(fields, b, "tension_course"));
       if (closed[b] > 0.0 && !panel.placed_is_stress_free)
-        panel.round = extremes_of(
-            elements, [&](const Deformation& d) { return stretch_round(*problem.surface, d, closed[b]); });
+        panel.round =
+            extremes_of(elements, [&](const Deformation& d) { return stretch_round(*problem.surface, d, closed[b]); });
     }
     panels.push_back(panel);
   }

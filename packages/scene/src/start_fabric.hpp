@@ -19,14 +19,14 @@ struct Extremes {
 /// One panel.
 struct PanelStart {
   std::string name;
-  bool placed_is_stress_free = false;    ///< a shell whose stretches count from its placed shape: none at the start
-  Extremes wale, course, major, minor;   ///< stretches at the elements' centres
-  std::optional<Extremes> round;         ///< round the body if sewn side to side: once closed and on the body
-  std::optional<double> high_pressure;   ///< MPa, that nine tenths of the panel stay below, of the placed fabric
-  int inside = 0;                        ///< nodes in the body
-  double depth = 0.0;                    ///< mm, of the deepest one
+  bool placed_is_stress_free = false;   ///< a shell whose stretches count from its placed shape: none at the start
+  Extremes wale, course, major, minor;  ///< stretches at the elements' centres
+  std::optional<Extremes> round;        ///< round the body if sewn side to side: once closed and on the body
+  std::optional<double> high_pressure;  ///< MPa, that nine tenths of the panel stay below, of the placed fabric
+  int inside = 0;                       ///< nodes in the body
+  double depth = 0.0;                   ///< mm, of the deepest one
   solve::Vec3 deepest = solve::Vec3::Zero();
-  double size = 0.0;                     ///< mm, mean distance of neighbouring nodes
+  double size = 0.0;  ///< mm, mean distance of neighbouring nodes
 };
 
 /// A part of the garment that nothing holds.

@@ -40,8 +40,8 @@ std::string line(const garment::Seam& seam, const SeamStart& start) {
 
 /// What the placed garment does to the body: depth and estimated pressure.
 Texts body_lines(const std::vector<PanelStart>& panels, bool open) {
-  const auto deepest = std::max_element(panels.begin(), panels.end(),
-                                        [](const auto& a, const auto& b) { return a.depth < b.depth; });
+  const auto deepest =
+      std::max_element(panels.begin(), panels.end(), [](const auto& a, const auto& b) { return a.depth < b.depth; });
   Texts lines;
   if (deepest->inside > 0)
     lines.push_back("inside the body: at most " + short_number(deepest->depth) + " mm, at " +

@@ -69,8 +69,8 @@ bool crosses_corner(const Edge& a, const Edge& b) {
 
 /// Whether the straight way between two nodes enters the body steeply at both ends and stays in it.
 bool goes_through(const body::Surface& surface, const Vec3& a, const Vec3& b, double& depth) {
-  constexpr double steep = 0.8;     // sine of the angle between the way and the surface: ends 106 degrees apart
-  constexpr double deep = 0.2;      // of half the way
+  constexpr double steep = 0.8;  // sine of the angle between the way and the surface: ends 106 degrees apart
+  constexpr double deep = 0.2;   // of half the way
   const double half = 0.5 * (b - a).norm();
   if (half <= 0.0) return false;
   const Vec3 way = (b - a) / (2.0 * half);
@@ -86,8 +86,8 @@ void look_for_nearer_edge(const mesh::Mesh& mesh, const garment::Seam& seam, con
   found.nearest_gap = much * found.mean_gap;
   for (const auto& [name, nodes] : mesh.edges) {
     if (name == seam.first || name == seam.second || nodes.size() != edges.first.size()) continue;
-    const double gap = std::min(mean_gap(edges.first, nodes, mesh.placed),
-                                mean_gap(edges.first, turned(nodes), mesh.placed));
+    const double gap =
+        std::min(mean_gap(edges.first, nodes, mesh.placed), mean_gap(edges.first, turned(nodes), mesh.placed));
     if (gap >= found.nearest_gap) continue;
     found.nearest_gap = gap;
     found.nearest_edge = name;

@@ -30,9 +30,9 @@ std::string unit_cause(double wale, double course) {
   };
   for (const Unit& unit : {Unit{"centimetres", 10.0}, Unit{"inches", 25.4}, Unit{"metres", 1000.0}}) {
     if (is_usual(wale / unit.mm) && is_usual(course / unit.mm))
-      return std::string("as if the pattern were in ") + unit.name + " (all lengths are in mm: " +
-             short_number(unit.mm) + " times larger, it would be stretched to " + short_number(wale / unit.mm) +
-             " and " + short_number(course / unit.mm) + ")";
+      return std::string("as if the pattern were in ") + unit.name +
+             " (all lengths are in mm: " + short_number(unit.mm) + " times larger, it would be stretched to " +
+             short_number(wale / unit.mm) + " and " + short_number(course / unit.mm) + ")";
     if (is_usual(wale * unit.mm) && is_usual(course * unit.mm))
       return std::string("as if the place or the body were in ") + unit.name + " (all lengths are in mm)";
   }
@@ -85,8 +85,8 @@ Texts stretch_warnings(const PanelStart& panel) {
     text += "stretched to " + short_number(panel.major.largest) + " at " + place_text(panel.major.at_largest) +
             ", more than knits stand: look at the panel there, at its seams and at its place";
   else
-    text += "pressed together to " + short_number(panel.minor.smallest) + " at " +
-            place_text(panel.minor.at_smallest) + ": look at the panel there, and at its place";
+    text += "pressed together to " + short_number(panel.minor.smallest) + " at " + place_text(panel.minor.at_smallest) +
+            ": look at the panel there, and at its place";
   return {text};
 }
 
@@ -163,8 +163,7 @@ Texts seam_errors(const Scene& scene, const base::List& list, const std::vector<
                                    " is much nearer to " + all[s].first + " (" + short_number(seams[s].nearest_gap) +
                                    " mm): sew the edges that face each other"));
     else if (is_against(seams[s]))
-      errors.push_back(
-          message(entries[s], "reversed", against_text(all[s], seams[s], entries[s].flag("reversed"))));
+      errors.push_back(message(entries[s], "reversed", against_text(all[s], seams[s], entries[s].flag("reversed"))));
   }
   const int moebius = errors.empty() ? moebius_seam(scene, list) : -1;
   if (moebius >= 0)
