@@ -5,22 +5,29 @@
 #include <set>
 
 #include "start_shape.hpp"
+#include "start_text.hpp"
 
 namespace toile::scene {
 
 namespace {
 
+/// A node that a support holds and a seam moves: the furthest one of this support.
+struct MovedNode {
+  size_t support = 0;
+  int node = -1, master = -1;
+  Eigen::Index direction = 0;
+  double way = 0.0;   ///< mm
+  double side = 0.0;  ///< mm, mean side of the elements of its panel
+};
+
 /// Supports that have ended when the seams start to close; without a stage that sews they are closed from the start.
-std::set<std::string> released_before_sewing(const base::List& stages) {
+std::set<std::string> released_before_sewing(const std::vector<solve::StageOptions>& stages) {
   std::set<std::string> released;
-  const std::vector<base::List> entries = stages.entries();
-  const auto sews = [](const base::List& stage) { return stage.word("type") == "sew"; };
-  const auto sewing = std::find_if(entries.begin(), entries.end(), sews);
-  const auto last = sewing == entries.end() ? entries.begin() + 1 : sewing + 1;
-  for (auto stage = entries.begin(); stage != last; ++stage) {
-    const base::Texts& names = stage->words("release");
-    released.insert(names.begin(), names.end());
-  }
+  const auto sews = [](const solve::StageOptions& stage) { return stage.type == solve::StageType::sew; };
+  const auto sewing = std::find_if(stages.begin(), stages.end(), sews);
+  const auto last = sewing == stages.end() ? stages.begin() + 1 : sewing + 1;
+  for (auto stage = stages.begin(); stage != last; ++stage)
+    released.insert(stage->released.begin(), stage->released.end());
   return released;
 }
 
@@ -33,58 +40,73 @@ const garment::Seam& seam_of(const garment::Garment& garment, int node) {
   return *std::find_if(garment.seams.begin(), garment.seams.end(), ties);
 }
 
-/// mm: a hundredth of the mean side of an element, so that what a seam may move a held node strains the fabric beside
-/// it by less than a hundredth.
-double allowed_way(const mesh::Mesh& mesh) {
-  double sum = 0.0, count = 0.0;
+/// [node] mean side of the elements of its panel, mm.
+std::vector<double> sides(const mesh::Mesh& mesh) {
+  std::vector<double> side(static_cast<size_t>(mesh.nodes()), 0.0);
   for (const mesh::Block& block : mesh.blocks) {
-    const size_t per = static_cast<size_t>(block.nodes_per_element);
-    for (size_t i = 0; i < block.connectivity.size(); ++i) {
-      const int next = block.connectivity[i - i % per + (i + 1) % per];
-      sum += (mesh.placed[block.connectivity[i]] - mesh.placed[next]).norm();
-      count += 1.0;
-    }
+    const double mean = mean_side(block, mesh.placed);
+    for (const int node : block.connectivity) side[node] = mean;
   }
-  return 0.01 * sum / count;
+  return side;
 }
 
-std::string problem_text(const garment::Garment& garment, const solve::Support& support, int node, int master,
-                         size_t direction) {
-  const solve::Vec3 &here = garment.mesh.placed[node], &there = garment.mesh.placed[master];
-  const Eigen::Index d = static_cast<Eigen::Index>(direction);
-  const std::string axis(1, "xyz"[direction]);
-  return "contradicts the seam \"" + seam_of(garment, node).name + "\": the support \"" + support.name +
-         "\" holds the node at " + place_text(here) + " in " + axis + ", and the seam moves it by " +
-         short_number(std::abs(there[d] - here[d])) + " mm in " + axis + ", to the one at " + place_text(there) +
-         ". A sewn node cannot stay in two places: do not hold " + axis +
-         " there, hold nodes beside the seam, or place the panels so that the sewn nodes meet in " + axis;
+std::vector<MovedNode> moved_nodes(const Scene& scene) {
+  const garment::Garment& garment = scene.garment();
+  const solve::Problem& problem = scene.problem();
+  constexpr double counts = 0.01;  // of the side of an element
+  std::vector<MovedNode> all;
+  if (garment.seams.empty() || problem.supports.empty()) return all;
+  const std::set<std::string> released = released_before_sewing(scene.stages());
+  const std::vector<double> side = sides(garment.mesh);
+  for (size_t s = 0; s < problem.supports.size(); ++s) {
+    const solve::Support& support = problem.supports[s];
+    if (released.count(support.name) > 0) continue;
+    MovedNode worst;
+    for (const int node : support.nodes)
+      for (Eigen::Index d = 0; d < 3; ++d) {
+        const int master = garment.clusters.master(node);
+        const double way = std::abs(garment.mesh.placed[master][d] - garment.mesh.placed[node][d]);
+        if (!support.held[static_cast<size_t>(d)] || way <= std::max(worst.way, counts * side[node])) continue;
+        worst = {s, node, master, d, way, side[node]};
+      }
+    if (worst.node >= 0) all.push_back(worst);
+  }
+  return all;
+}
+
+bool is_too_far(const MovedNode& moved) {
+  return moved.way > 0.5 * moved.side;
+}
+
+std::string text(const Scene& scene, const MovedNode& moved) {
+  const garment::Garment& garment = scene.garment();
+  const std::string axis(1, "xyz"[moved.direction]);
+  return "contradicts the seam \"" + seam_of(garment, moved.node).name + "\": the support \"" +
+         scene.problem().supports[moved.support].name + "\" holds the node at " +
+         place_text(garment.mesh.placed[moved.node]) + " in " + axis + ", and the seam moves it by " +
+         short_number(moved.way) + " mm in " + axis + ", to the one at " +
+         place_text(garment.mesh.placed[moved.master]) + ". A sewn node cannot stay in two places: do not hold " +
+         axis + " there, hold nodes beside the seam, or place the panels so that the sewn nodes meet in " + axis;
 }
 
 }  // namespace
 
-void check_held_seams(const base::List& scene, const garment::Garment& garment, const solve::Problem& problem) {
-  if (garment.seams.empty() || problem.supports.empty()) return;
-  const std::set<std::string> released = released_before_sewing(scene.list("Stages"));
-  const double allowed = allowed_way(garment.mesh);
-  const std::vector<base::List> entries = scene.list("Supports").entries();
-  for (size_t s = 0; s < problem.supports.size(); ++s) {
-    const solve::Support& support = problem.supports[s];
-    if (released.count(support.name) > 0) continue;
-    int worst = -1;
-    size_t direction = 0;
-    double largest = allowed;
-    for (const int node : support.nodes)
-      for (size_t d = 0; d < 3; ++d) {
-        const solve::Vec3 way = garment.mesh.placed[garment.clusters.master(node)] - garment.mesh.placed[node];
-        const double moved = std::abs(way[static_cast<Eigen::Index>(d)]);
-        if (!support.held[d] || moved <= largest) continue;
-        largest = moved;
-        worst = node;
-        direction = d;
-      }
-    if (worst >= 0)
-      entries[s].fail("hold", problem_text(garment, support, worst, garment.clusters.master(worst), direction));
-  }
+std::vector<std::string> held_seam_errors(const Scene& scene, const base::List& list) {
+  std::vector<std::string> errors;
+  for (const MovedNode& moved : moved_nodes(scene))
+    if (is_too_far(moved))
+      errors.push_back(message_of(list.list("Supports").entries()[moved.support], "hold", text(scene, moved)));
+  return errors;
+}
+
+std::vector<std::string> held_seam_warnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const MovedNode& moved : moved_nodes(scene))
+    if (!is_too_far(moved))
+      warnings.push_back("support \"" + scene.problem().supports[moved.support].name + "\" " + text(scene, moved) +
+                         ". Beside it the fabric is strained by about " + short_number(100.0 * moved.way / moved.side) +
+                         " %");
+  return warnings;
 }
 
 }  // namespace toile::scene

@@ -4,9 +4,12 @@
 
 namespace toile::scene {
 
-/// Refuses a support that holds a node which a seam would move: sewn nodes meet where the first one is placed, wherever
-/// else a support wants the other one to stay. Supports that are released before a seam closes are left out.
-/// Throws base::InputError with the names of both.
-void check_held_seams(const base::List& scene, const garment::Garment& garment, const solve::Problem& problem);
+/// Messages on supports that hold a node which a seam would move by more than half the side of an element: sewn nodes
+/// meet where the first one is placed, wherever else a support wants the other one to stay. Supports that are released
+/// before a seam closes are left out. `list`: of the scene.
+std::vector<std::string> held_seam_errors(const Scene& scene, const base::List& list);
+
+/// Held nodes that seams move by less than that, and that strain the fabric beside them by more than a hundredth.
+std::vector<std::string> held_seam_warnings(const Scene& scene);
 
 }  // namespace toile::scene

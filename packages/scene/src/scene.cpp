@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "held_seams.hpp"
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
@@ -146,7 +145,6 @@ void Scene::build_problem(const base::List& list, int ranks) {
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
-  check_held_seams(list, garment_, problem_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
     problem_.loads = std::move(read.nodal);

@@ -76,14 +76,36 @@ std::vector<double> closing(const Scene& scene, const std::vector<Vec3>& positio
   return factor;
 }
 
-/// Stretch across the panel, from side to side, once its seams are closed and it lies on the body.
-double stretch_round(const body::Surface& surface, const Deformation& d, double closing) {
-  const Vec3 across = d.along(0.0);
-  const double stretch = across.norm();
-  const body::SurfacePoint p = surface.closest(d.centre);
-  if (!p.found || stretch == 0.0) return closing * stretch;
-  const Vec3 direction = across / stretch;
-  return closing * stretch * std::max(0.0, 1.0 - p.gap * direction.dot(p.hessian * direction));
+/// The body as one panel sees it.
+struct BodyAtPanel {
+  std::vector<body::SurfacePoint> centre;  ///< [element]
+  std::vector<double> corner_gap;          ///< [element] mm, mean of its nodes
+};
+
+BodyAtPanel body_at(const body::Surface& surface, const mesh::Block& block, const std::vector<Deformation>& elements,
+                    const std::vector<double>& gap) {
+  BodyAtPanel body;
+  for (const Deformation& d : elements) body.centre.push_back(surface.closest(d.centre));
+  const size_t per = static_cast<size_t>(block.nodes_per_element);
+  body.corner_gap.assign(elements.size(), 0.0);
+  for (size_t i = 0; i < block.connectivity.size(); ++i)
+    body.corner_gap[i / per] += gap[block.connectivity[i]] / static_cast<double>(per);
+  return body;
+}
+
+/// [element] stretch across the panel, from side to side, once its seams are closed and it lies on the body. A chord on
+/// a circle is shorter than its arc by a third of its height over the radius.
+std::vector<double> stretches_round(const std::vector<Deformation>& elements, const BodyAtPanel& body, double closing) {
+  std::vector<double> all;
+  for (size_t e = 0; e < elements.size(); ++e) {
+    const Vec3 across = elements[e].along(0.0);
+    const double stretch = closing * across.norm();
+    const body::SurfacePoint& p = body.centre[e];
+    const Vec3 direction = across.normalized();
+    const double off = (2.0 * body.corner_gap[e] + p.gap) / 3.0;
+    all.push_back(p.found ? stretch * std::max(0.0, 1.0 - off * direction.dot(p.hessian * direction)) : stretch);
+  }
+  return all;
 }
 
 const std::vector<double>& values_of(const solve::Fields& fields, size_t block, const std::string& name) {
@@ -92,13 +114,13 @@ const std::vector<double>& values_of(const solve::Fields& fields, size_t block, 
 }
 
 /// Laplace's pressure of the tensions along wale and course on the body's curvature; none where no element lies near.
-std::optional<double> high_pressure(const body::Surface& surface, const std::vector<Deformation>& elements,
+std::optional<double> high_pressure(const std::vector<Deformation>& elements, const BodyAtPanel& body,
                                     const std::vector<double>& wale, const std::vector<double>& course) {
   constexpr double near = 5.0;  // mm
   constexpr double most = 0.9;
   std::vector<double> all;
   for (size_t e = 0; e < elements.size(); ++e) {
-    const body::SurfacePoint p = surface.closest(elements[e].centre);
+    const body::SurfacePoint& p = body.centre[e];
     if (!p.found || std::abs(p.gap) > near || !std::isfinite(wale[e]) || !std::isfinite(course[e])) continue;
     const Vec3 w = elements[e].wale().normalized(), c = elements[e].course().normalized();
     all.push_back(wale[e] * w.dot(p.hessian * w) + course[e] * c.dot(p.hessian * c));
@@ -109,26 +131,24 @@ std::optional<double> high_pressure(const body::Surface& surface, const std::vec
   return *at;
 }
 
-void add_depth(const body::Surface& surface, const mesh::Block& block, const std::vector<Vec3>& position,
+void add_depth(const mesh::Block& block, const std::vector<Vec3>& position, const std::vector<double>& gap,
                PanelStart& panel) {
   constexpr double counts = 1e-3;  // mm
   const std::set<int> nodes(block.connectivity.begin(), block.connectivity.end());
   for (const int n : nodes) {
-    const double depth = -surface.closest(position[n]).gap;
-    if (depth <= counts) continue;
+    if (-gap[n] <= counts) continue;
     ++panel.inside;
-    if (depth <= panel.depth) continue;
-    panel.depth = depth;
+    if (-gap[n] <= panel.depth) continue;
+    panel.depth = -gap[n];
     panel.deepest = position[n];
   }
 }
 
-double mean_side(const mesh::Block& block, const std::vector<Vec3>& position) {
-  const size_t per = static_cast<size_t>(block.nodes_per_element);
-  double sum = 0.0;
-  for (size_t i = 0; i < block.connectivity.size(); ++i)
-    sum += (position[block.connectivity[i]] - position[block.connectivity[i - i % per + (i + 1) % per]]).norm();
-  return sum / static_cast<double>(block.connectivity.size());
+/// [node] mm, from the body.
+std::vector<double> gaps(const body::Surface& surface, const std::vector<Vec3>& position) {
+  std::vector<double> gap;
+  for (const Vec3& x : position) gap.push_back(surface.closest(x).gap);
+  return gap;
 }
 
 }  // namespace
@@ -140,6 +160,7 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
   const solve::Fields fields = solve::compute_fields(problem, start);
   const std::vector<Vec3> position = positions_of(problem, start);
   const std::vector<double> closed = closing(scene, position);
+  const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
   std::vector<PanelStart> panels;
   for (size_t b = 0; b < mesh.blocks.size(); ++b) {
     const std::vector<Deformation> elements = deformations(mesh, mesh.blocks[b], position);
@@ -152,12 +173,12 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
     panel.minor = extremes_of(elements, [](const Deformation& d) { return d.principal().second; });
     panel.size = mean_side(mesh.blocks[b], position);
     if (problem.surface != nullptr) {
-      add_depth(*problem.surface, mesh.blocks[b], position, panel);
-      panel.high_pressure = high_pressure(*problem.surface, elements, values_of(fields, b, "tension_wale"),
-                                          values_of(fields, b, "tension_course"));
+      const BodyAtPanel body = body_at(*problem.surface, mesh.blocks[b], elements, gap);
+      add_depth(mesh.blocks[b], position, gap, panel);
+      panel.high_pressure =
+          high_pressure(elements, body, values_of(fields, b, "tension_wale"), values_of(fields, b, "tension_course"));
       if (closed[b] > 0.0 && !panel.placed_is_stress_free)
-        panel.round =
-            extremes_of(elements, [&](const Deformation& d) { return stretch_round(*problem.surface, d, closed[b]); });
+        panel.round = extremes(elements, stretches_round(elements, body, closed[b]));
     }
     panels.push_back(panel);
   }
@@ -168,6 +189,7 @@ std::vector<LoosePart> loose_parts(const Scene& scene) {
   constexpr double touching = 1.0;  // mm
   const solve::Problem& problem = scene.problem();
   const std::vector<Vec3> position = positions_of(problem, scene.start());
+  const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
   std::vector<bool> held(position.size(), false);
   for (const solve::Support& support : problem.supports)
     for (const int n : support.nodes) held[n] = held[n] || support.held[0] || support.held[1] || support.held[2];
@@ -184,7 +206,7 @@ std::vector<LoosePart> loose_parts(const Scene& scene) {
       for (const int n : problem.clusters[c]) {
         panels.insert(panel_of[n]);
         is_held = is_held || held[n];
-        if (problem.surface != nullptr) found.gap = std::min(found.gap, problem.surface->closest(position[n]).gap);
+        if (problem.surface != nullptr) found.gap = std::min(found.gap, gap[n]);
       }
     if (is_held || found.gap <= touching) continue;
     for (const std::string& name : panels) found.panels += (found.panels.empty() ? "\"" : ", \"") + name + "\"";

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "held_seams.hpp"
 #include "start_fabric.hpp"
 #include "start_seams.hpp"
+#include "start_text.hpp"
 #include "start_warnings.hpp"
 #include "toile/base/units.hpp"
 
@@ -19,7 +21,8 @@ void append(Texts& all, const Texts& more) {
 }
 
 std::string range(const Extremes& e) {
-  return short_number(e.smallest) + " to " + short_number(e.largest);
+  const std::string smallest = short_number(e.smallest), largest = short_number(e.largest);
+  return smallest == largest ? smallest : smallest + " to " + largest;
 }
 
 std::string line(const PanelStart& panel) {
@@ -51,7 +54,7 @@ Texts body_lines(const std::vector<PanelStart>& panels, bool open) {
   std::optional<double> high;
   for (const PanelStart& panel : panels)
     if (panel.high_pressure) high = std::max(high.value_or(0.0), *panel.high_pressure);
-  if (high)
+  if (high && *high > 0.0)
     lines.push_back("pressure of the fabric as it is placed" + std::string(open ? ", seams open" : "") +
                     ": nine tenths below " + short_number(base::mpa_to_kpa(*high)) + " kPa (" +
                     short_number(base::kpa_to_mmhg(base::mpa_to_kpa(*high))) + " mmHg), by Laplace");
@@ -72,9 +75,12 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   }
   for (size_t s = 0; s < seams.size(); ++s) report.lines.push_back(line(scene.garment().seams[s], seams[s]));
   report.errors = seam_errors(scene, list, seams);
+  if (report.errors.empty()) report.errors = held_seam_errors(scene, list);
   for (size_t s = 0; s < seams.size() && report.errors.empty(); ++s)
     append(report.warnings, seam_warnings(scene.garment().seams[s], seams[s]));
   if (scene.surface() != nullptr) append(report.lines, body_lines(panels, open));
+  append(report.warnings, forgotten_seam_warnings(scene));
+  if (report.errors.empty()) append(report.warnings, held_seam_warnings(scene));
   append(report.warnings, girth_warnings(panels));
   append(report.warnings, pressure_warnings(panels));
   append(report.warnings, loose_warnings(loose_parts(scene), !open));

@@ -172,6 +172,30 @@ std::vector<SeamStart> look_at_seams(const Scene& scene, const base::List& list)
   return all;
 }
 
+std::vector<FacingEdges> unsewn_facing_edges(const Scene& scene) {
+  constexpr double near = 0.2, alike = 0.9;  // of their length; see SeamStart::likeness
+  const garment::Garment& garment = scene.garment();
+  const mesh::Mesh& mesh = garment.mesh;
+  std::vector<FacingEdges> found;
+  if (scene.surface() == nullptr) return found;
+  const auto is_free = [&](const std::string& edge) {
+    return is_side(edge) && std::none_of(garment.seams.begin(), garment.seams.end(), [&](const garment::Seam& seam) {
+             return seam.first == edge || seam.second == edge;
+           });
+  };
+  for (auto first = mesh.edges.begin(); first != mesh.edges.end(); ++first) {
+    if (!is_free(first->first)) continue;
+    const double length = length_of_line(first->second, mesh.placed);
+    for (auto second = std::next(first); second != mesh.edges.end(); ++second) {
+      if (!is_free(second->first) || first->second.size() != second->second.size()) continue;
+      const double gap = mean_gap(first->second, second->second, mesh.placed);
+      if (gap > near * length || likeness(first->second, second->second, mesh.placed) < alike) continue;
+      found.push_back({first->first, second->first, gap});
+    }
+  }
+  return found;
+}
+
 // Two panels that show the same side run along their common seam in opposite senses.
 int moebius_seam(const Scene& scene, const base::List& list) {
   const garment::Garment& garment = scene.garment();

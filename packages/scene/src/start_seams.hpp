@@ -24,6 +24,14 @@ struct SeamStart {
 /// [seam] in the order of Garment::seams. `list`: of the scene, with its list "Seams".
 std::vector<SeamStart> look_at_seams(const Scene& scene, const base::List& list);
 
+/// Two edges with as many nodes that face each other and belong to no seam.
+struct FacingEdges {
+  std::string first, second;
+  double gap = 0.0;  ///< mm, mean
+};
+/// Left and right sides only; none without a body.
+std::vector<FacingEdges> unsewn_facing_edges(const Scene& scene);
+
 /// Index of a seam that makes a Moebius band of panels, together with the seams before it; -1: none.
 int moebius_seam(const Scene& scene, const base::List& list);
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <sstream>
 
 namespace toile::scene {
 
@@ -65,6 +64,14 @@ double length_of_line(const std::vector<int>& nodes, const std::vector<solve::Ve
   return length;
 }
 
+double mean_side(const mesh::Block& block, const std::vector<solve::Vec3>& position) {
+  const size_t per = static_cast<size_t>(block.nodes_per_element);
+  double sum = 0.0;
+  for (size_t i = 0; i < block.connectivity.size(); ++i)
+    sum += (position[block.connectivity[i]] - position[block.connectivity[i - i % per + (i + 1) % per]]).norm();
+  return sum / static_cast<double>(block.connectivity.size());
+}
+
 std::string panel_of_edge(const std::string& edge) {
   return edge.substr(0, edge.rfind('.'));
 }
@@ -72,17 +79,6 @@ std::string panel_of_edge(const std::string& edge) {
 bool is_side(const std::string& edge) {
   const std::string side = edge.substr(edge.rfind('.') + 1);
   return side == "left" || side == "right";
-}
-
-std::string short_number(double value) {
-  std::ostringstream out;
-  out.precision(std::abs(value) < 1000.0 ? 3 : 6);
-  out << (std::abs(value) < 1e-9 ? 0.0 : std::abs(value) < 1000.0 ? value : std::round(value));
-  return out.str();
-}
-
-std::string place_text(const solve::Vec3& place) {
-  return "(" + short_number(place[0]) + ", " + short_number(place[1]) + ", " + short_number(place[2]) + ") mm";
 }
 
 }  // namespace toile::scene

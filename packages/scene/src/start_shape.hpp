@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "toile/mesh/mesh.hpp"
@@ -34,14 +35,12 @@ std::vector<Deformation> deformations(const mesh::Mesh& mesh, const mesh::Block&
 /// Length of the line through some nodes, mm.
 double length_of_line(const std::vector<int>& nodes, const std::vector<solve::Vec3>& position);
 
+/// Mean length of the sides of a block's elements, mm.
+double mean_side(const mesh::Block& block, const std::vector<solve::Vec3>& position);
+
 /// Name of the panel of an edge: "front" of "front.left".
 std::string panel_of_edge(const std::string& edge);
 /// Whether an edge is the left or the right one of its panel, which run along a limb.
 bool is_side(const std::string& edge);
-
-/// Three digits, for the terminal.
-std::string short_number(double value);
-/// "(x, y, z) mm".
-std::string place_text(const solve::Vec3& place);
 
 }  // namespace toile::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toile/base/error.hpp"
+#include "start_text.hpp"
 #include "toile/base/units.hpp"
 
 namespace toile::scene {
@@ -43,15 +43,6 @@ std::string unit_cause(double wale, double course) {
 Texts crossing_text(const garment::Seam& seam, const SeamStart& start) {
   return {"the way from " + seam.first + " to " + seam.second + " leads through the body (" +
           short_number(start.depth) + " mm deep, gap " + short_number(start.mean_gap) + " mm)"};
-}
-
-/// The message that List::fail gives.
-std::string message(const base::List& entry, const std::string& parameter, const std::string& problem) {
-  try {
-    entry.fail(parameter, problem);
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
 }
 
 /// Whether the other order of the edges is the one that is meant.
@@ -151,6 +142,14 @@ Texts seam_warnings(const garment::Seam& seam, const SeamStart& start) {
   return {};
 }
 
+Texts forgotten_seam_warnings(const Scene& scene) {
+  Texts texts;
+  for (const FacingEdges& edges : unsewn_facing_edges(scene))
+    texts.push_back(edges.first + " and " + edges.second + " face each other on the body, " + short_number(edges.gap) +
+                    " mm apart, and are not sewn: is a seam forgotten?");
+  return texts;
+}
+
 Texts seam_errors(const Scene& scene, const base::List& list, const std::vector<SeamStart>& seams) {
   Texts errors;
   if (seams.empty()) return errors;
@@ -158,19 +157,22 @@ Texts seam_errors(const Scene& scene, const base::List& list, const std::vector<
   const std::vector<garment::Seam>& all = scene.garment().seams;
   for (size_t s = 0; s < seams.size(); ++s) {
     if (!seams[s].nearest_edge.empty())
-      errors.push_back(message(entries[s], "second",
-                               crossing_text(all[s], seams[s]).front() + ", and " + seams[s].nearest_edge +
-                                   " is much nearer to " + all[s].first + " (" + short_number(seams[s].nearest_gap) +
-                                   " mm): sew the edges that face each other"));
+      errors.push_back(
+          message_of(entries[s], "second",
+                     crossing_text(all[s], seams[s]).front() + ", and " + seams[s].nearest_edge +
+                         " is much nearer to " + all[s].first + " (" + short_number(seams[s].nearest_gap) +
+                         " mm): sew the edges that face each other, or turn a panel round the body (\"angle\" of "
+                         "its placement)"));
     else if (is_against(seams[s]))
-      errors.push_back(message(entries[s], "reversed", against_text(all[s], seams[s], entries[s].flag("reversed"))));
+      errors.push_back(message_of(entries[s], "reversed", against_text(all[s], seams[s], entries[s].flag("reversed"))));
   }
   const int moebius = errors.empty() ? moebius_seam(scene, list) : -1;
   if (moebius >= 0)
-    errors.push_back(message(entries[moebius], "reversed",
-                             "with the seams before it, the seam " + quoted(all[moebius].name) +
-                                 " makes a Moebius band: it sews the right side of the fabric to its wrong side. One "
-                                 "of these seams must be sewn from its other end"));
+    errors.push_back(
+        message_of(entries[moebius], "reversed",
+                   "with the seams before it, the seam " + quoted(all[moebius].name) +
+                       " makes a Moebius band: it sews the right side of the fabric to its wrong side. One "
+                       "of these seams must be sewn from its other end"));
   return errors;
 }
 
