@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "recorder.hpp"
+#include "start.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
@@ -42,8 +43,8 @@ void on_first_rank(const F& work) {
 
 /// What is on disk after a stage failed.
 std::string kept_text(const Recorder& recorder, const std::string& folder) {
-  if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
   if (!result::files_available()) return "";
+  if (recorder.reports().empty()) return " No step was accepted; the start is in " + folder + "/start.exo.";
   return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
          folder + "/results.exo, and in " + folder + "/restart.h5.";
 }
@@ -85,6 +86,7 @@ int run(const RunArguments& arguments) {
   const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
   const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
   const scene::Scene scene(list, comm->getSize(), timer, laws);
+  check_names(scene, list);
   const std::string folder = folder_of(arguments);
   std::optional<Recorder> recorder;
   on_first_rank([&] { recorder.emplace(scene, folder); });
@@ -93,6 +95,8 @@ int run(const RunArguments& arguments) {
 
   if (!result::files_available())
     log.warn("this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
+
+  tell_start(scene::look_at_start(scene, list), log);
 
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());
@@ -110,6 +114,9 @@ int run(const RunArguments& arguments) {
       simulation.run(stage);
     } catch (const base::SolveError& error) {
       tell(simulation, log);
+      on_first_rank([&] {
+        if (recorder->reports().empty()) recorder->write_start();
+      });
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
