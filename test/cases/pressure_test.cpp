@@ -39,7 +39,7 @@ class Pressure : public ProgramTest {
     ASSERT_FALSE(pressure.empty());
     for (size_t n = 0; n < pressure.size(); ++n) {
       EXPECT_NEAR(pressure[n], kpa, tolerance * kpa) << "node " << n + 1;
-      EXPECT_LE(error[n], 0.01 * kpa) << "node " << n + 1;
+      EXPECT_LE(error[n], 2.0 * tolerance * kpa) << "node " << n + 1;
     }
   }
 };
@@ -49,13 +49,18 @@ const std::string triangle = R"(value="triangle")", uniform = R"(value="1.0")", 
                   middle = R"(name="contact surface" type="string" value="mid-surface")";
 
 // The pressure of a sleeve on a cylinder is 1.0931 kPa at every node, edges and seam too, on quadrilaterals and on
-// triangles, on uniform and on graded meshes.
+// triangles, on uniform and on graded meshes. The widest elements of the graded one are 15 mm, so it needs twice as
+// many.
 TEST_F(Pressure, IsTheSameOnTrianglesAndGradedMeshes) {
-  for (const std::string elements : {"triangle", "quadrilateral"})
-    for (const std::string grading : {"1.0", "1.6"}) {
-      run("sleeve", {{triangle, "value=\"" + elements + "\""}, {uniform, "value=\"" + grading + "\""}});
-      expect_everywhere(1.0931, 0.005);
-    }
+  for (const std::string elements : {"triangle", "quadrilateral"}) {
+    const std::string kind = "value=\"" + elements + "\"";
+    run("sleeve", {{triangle, kind}});
+    expect_everywhere(1.0931, 0.005);
+    run("sleeve", {{triangle, kind}, {uniform, R"(value="1.6")"}});
+    expect_everywhere(1.0931, 0.01);
+    run("sleeve", {{triangle, kind}, {uniform, R"(value="1.6")"}, {R"(value="40")", R"(value="80")"}});
+    expect_everywhere(1.0931, 0.005);
+  }
 }
 
 // A fabric of 4 mm on its inner face presses with 9.1395 kPa per area of its mid-surface, on triangles too, and with

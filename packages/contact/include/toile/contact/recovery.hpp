@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "toile/body/surface.hpp"
@@ -17,7 +18,8 @@ struct TensionPoint {
   Mat3 tension = Mat3::Zero();      ///< force per current length, N/mm
   Mat3 laid = Mat3::Zero();         ///< the same of the element laid onto the body, see laid_on()
   Vec3 body_normal = Vec3::Zero();  ///< of the body below the point; zero where the element is not in full contact
-  std::array<Vec3, 4> force = {};   ///< what `tension` does to the element's nodes, N
+  std::array<Vec3, 4> force = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                               Vec3::Zero()};  ///< what `tension` does to the element's nodes, N
 };
 
 /// One element of the fabric: up to four sites, in their order around it, and its points [first_point, first_point +
@@ -42,7 +44,7 @@ struct ContactCluster {
   /// In contact.
   bool touches() const {
     constexpr double tolerance = 1e-6;  // mm
-    return force > 0.0 || (held && surface.found && surface.gap - offset <= tolerance);
+    return force > 0.0 || (held && surface.found && std::abs(surface.gap - offset) <= tolerance);
   }
 };
 
