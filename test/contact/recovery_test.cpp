@@ -89,6 +89,14 @@ TEST(Recovery, IsExactForALinearTension) {
   EXPECT_EQ(recovery.bridged, 0);
 }
 
+// A load that pulls the fabric off the body takes its pressure from that of the tension.
+TEST(Recovery, TakesThePressureOfLoads) {
+  Patch patch(uniform);
+  for (FabricElement& element : patch.elements) element.load = 0.001;  // along the points' normals, outwards
+  for (const contact::SitePressure& site : contact::recover(patch).site)
+    EXPECT_NEAR(site.pressure, uniform(0.0) / radius - 0.001, 1e-5 * uniform(0.0) / radius);
+}
+
 // Two pieces of fabric that a seam ties have their own pressure on either side of it.
 TEST(Recovery, DoesNotFitAcrossASeamOfTwoFabrics) {
   Patch patch(uniform);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "patches.hpp"
@@ -37,7 +38,8 @@ class Recoverer {
   bool hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const;
   void classify();
   std::vector<double> untilted() const;
-  SitePressure fitted(int site);
+  std::optional<SitePressure> fitted(int site);
+  double load(int site) const;
   void average_errors();
 
   const FabricInContact& fabric_;
@@ -137,16 +139,30 @@ std::vector<double> Recoverer::untilted() const {
   return force;
 }
 
-SitePressure Recoverer::fitted(int site) {
+/// Nothing if the elements around it do not tell.
+std::optional<SitePressure> Recoverer::fitted(int site) {
   const ContactCluster& at = cluster(site);
   const std::vector<int>& patch = patches_.around(site, 0);
-  const double mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0).value_or(0.0);
-  SitePressure result;
-  result.pressure = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(mean);
-  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(mean);
-  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(mean);
-  result.error = std::abs(quadratic - result.pressure) + std::abs(laid - result.pressure);
-  return result;
+  const std::optional<double> mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0);
+  if (!mean) return std::nullopt;
+  const double linear = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(*mean);
+  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
+  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(*mean);
+  return SitePressure{linear - load(site), std::abs(quadratic - linear) + std::abs(laid - linear)};
+}
+
+/// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
+double Recoverer::load(int site) const {
+  double sum = 0.0, area = 0.0;
+  for (const int e : patches_.at(site)) {
+    const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
+    for (int q = 0; q < element.points; ++q) {
+      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      sum += point.area * element.load * point.normal.dot(cluster(site).surface.normal);
+      area += point.area;
+    }
+  }
+  return pressure(sum, area);
 }
 
 /// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
@@ -194,13 +210,11 @@ Recovery Recoverer::run() {
     if (!touches(site)) continue;
     const double force_pressure = std::max(0.0, untilted_pressure[static_cast<size_t>(cluster_of(site))]);
     const bool held = cluster(site).held;
-    unknown[s] = (place(site) == Place::isolated && !held) || !cluster(site).surface.found;
-    if (unknown[s]) {
-      out_.site[s].pressure = force_pressure;
-      continue;
-    }
-    out_.site[s] = fitted(site);
-    if (place(site) != Place::border || held) continue;
+    const bool told = (place(site) != Place::isolated || held) && cluster(site).surface.found;
+    const std::optional<SitePressure> found = told ? fitted(site) : std::nullopt;
+    unknown[s] = !found;
+    out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
+    if (!found || place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;
   }

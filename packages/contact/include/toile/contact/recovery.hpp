@@ -29,6 +29,7 @@ struct FabricElement {
   std::array<int, 4> site = {};
   int first_point = 0;
   int points = 0;
+  double load = 0.0;  ///< pressure of a load on it, along the normals of its points, MPa
 };
 
 /// What is tied together: one position, one place on the body, one contact force.
@@ -71,7 +72,8 @@ struct Recovery {
 
 /// The pressure that the fabric's tension makes on the body, recovered at every site: tension x curvature, with the
 /// tension of a linear least-squares fit over the elements around the site, and the curvature of the body's smooth
-/// surface. Second order on any mesh; a nodal force over an area is so on few. See doc/theory.md, "Pressure".
+/// surface, less the pressure of loads. Second order on any mesh; a nodal force over an area is so on few. See
+/// doc/theory.md, "Pressure".
 ///
 /// Sites at the border of contact, which are loaded on a part of their area, have their force, freed of what the tilt
 /// of the facets makes. Free sites have zero.
