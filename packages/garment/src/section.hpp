@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "toile/body/surface.hpp"
@@ -8,9 +9,10 @@ namespace toile::garment {
 
 /// Straight axis with a frame; angles count counter-clockwise about `direction` from `zero`.
 struct Axis {
-  body::Vec3 origin;     ///< height 0, mm
-  body::Vec3 direction;  ///< unit, upwards
-  body::Vec3 zero;       ///< unit, perpendicular to `direction`
+  body::Vec3 origin;                      ///< height 0, mm
+  body::Vec3 direction;                   ///< unit, upwards
+  body::Vec3 zero;                        ///< unit, perpendicular to `direction`
+  std::string start = "\"axis bottom\"";  ///< what heights count from, for messages
 
   body::Vec3 at(double height) const { return origin + height * direction; }
   body::Vec3 ray(double angle) const;
@@ -41,7 +43,11 @@ class Section {
 };
 
 /// Section of the body at one height, `offset` mm outside of its surface, by sphere tracing from the axis outwards.
-/// Throws InputError if the axis is not inside the body at this height, or if a ray finds no surface.
+/// Throws InputError if the axis is not inside the body at this height, if a ray finds no surface, or if the section is
+/// not star-shaped seen from the axis.
 Section trace_section(const body::Surface& body, const Axis& axis, double height, double offset);
+
+/// Radius (mm) of that section at one angle, exact between its samples too. Throws the same but for the shape.
+double trace_radius(const body::Surface& body, const Axis& axis, double height, double angle, double offset);
 
 }  // namespace toile::garment

@@ -57,12 +57,14 @@ class ElementAssembly {
     std::vector<double> energy, residual, tangent;
     std::vector<std::uint8_t> status;
     std::vector<std::int64_t> entry;  ///< [element][ndof][ndof] place in the matrix, or -1
+    std::vector<size_t> turned;       ///< elements with a node whose components are not x, y and z
   };
 
   void find_entries(Part& part, const Graph& graph) const;
   void gather(Part& part, const Configuration& at) const;
   void run(Part& part, bool with_tangent) const;
   void add_pressure(Part& part, double load, bool with_tangent, Sums& sums) const;
+  void turn_tangents(Part& part) const;
   void add_up(const Part& part, Sums& sums) const;
   element::Batch batch(const Part& part, int first, int count) const;
 
