@@ -62,7 +62,7 @@ std::vector<solve::Vec3> Sleeve::ring(int j) const {
 
 double Sleeve::imbalance() const {
   solve::ForceBalance balance = report.balance;
-  balance.contact = solve::pressure_resultant(fields);
+  balance.contact = solve::contact_resultant(fields);
   return balance.sum().norm() / balance.magnitude;
 }
 

@@ -83,7 +83,7 @@ Figures figures_of(const solve::Fields& fields, const solve::StepReport& report)
   if (f.largest_pressure == 0.0) f.smallest_pressure = 0.0;
   f.smallest_stress = base::mpa_to_kpa(fields.smallest_principal_stress);
   solve::ForceBalance written = report.balance;
-  written.contact = solve::pressure_resultant(fields);
+  written.contact = solve::contact_resultant(fields);
   f.force_balance = written.magnitude > 0.0 ? written.sum().norm() / written.magnitude : 0.0;
   f.largest_gap = report.gap;
   f.dissipation_ratio = report.dissipation_ratio;
@@ -124,7 +124,7 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
       << (f.smallest_stress < 0.0 ? " (" + compression_text(fabric) + ")" : "") << "\n";
   out << wrinkles_text(scene.problem(), fields);
   out << "  forces on the garment:";
-  if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::pressure_resultant(fields));
+  if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::contact_resultant(fields));
   for (size_t s = 0; s < report.balance.support.size(); ++s)
     out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s])
         << torque_text(scene.problem().supports[s], report.load, report.balance.torque[s]);
