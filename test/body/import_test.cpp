@@ -55,7 +55,7 @@ double volume(const TriangleMesh& mesh) {
 }
 
 std::string write_text(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + "toile-import-" + name;
+  std::string path = testing::TempDir() + "toile-import-" + name;
   std::ofstream(path) << text;
   return path;
 }
