@@ -209,10 +209,11 @@ TEST(PressureLines, OpenSectionIsMarked) {
 // other arm of the limb, which the plane cuts as well, is left out.
 TEST(PressureLines, AxisMayBeBent) {
   constexpr double bend = 200.0, length = 1.5 * M_PI * bend;
-  const auto place = [](double arc) {
-    const double angle = arc / bend;
-    return AxisPlace{mesh::Vec3(bend * std::cos(angle), 0.0, bend * std::sin(angle)),
-                     mesh::Vec3(-std::sin(angle), 0.0, std::cos(angle))};
+  const auto place = [=](double arc) {
+    const double on_ring = std::clamp(arc, 0.0, length), angle = on_ring / bend;
+    const mesh::Vec3 direction(-std::sin(angle), 0.0, std::cos(angle));
+    return AxisPlace{mesh::Vec3(bend * std::cos(angle), 0.0, bend * std::sin(angle)) + (arc - on_ring) * direction,
+                     direction};
   };
   Cone cone;
   for (mesh::Vec3& node : cone.fields.position) {

@@ -56,7 +56,10 @@ std::pair<Vec3, Vec3> across(const Vec3& direction) {
 /// Whether the section runs round the axis: a ray from the axis meets a closed one an odd number of times; an open one
 /// is seen under more than half a turn.
 bool surrounds(const Section& section, const AxisPlace& axis) {
-  const auto [first, second] = across(axis.direction);
+  const auto [right, back] = across(axis.direction);
+  // Not along the middle of a limb, where a regular mesh may have a node: its round-off would count it twice.
+  const Vec3 first = std::cos(0.1234) * right + std::sin(0.1234) * back;
+  const Vec3 second = axis.direction.cross(first);
   int crossings = 0;
   double angle = 0.0;
   for (const Segment& segment : section.segments) {
@@ -182,16 +185,27 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   return segment;
 }
 
-std::vector<Section> Cutter::pieces(const AxisPlace& axis) const {
+std::vector<double> Cutter::above(double height, const AxisPlace& axis) const {
+  const double margin = 1e-6 * (highest_ - lowest_);
+  const bool at_end = std::min(std::abs(height - lowest_), std::abs(height - highest_)) < margin;
+  const double on_plane = height < 0.5 * (lowest_ + highest_) ? -0.0 : 0.0;
   std::vector<double> above;
-  for (const Vec3& vertex : surface_.mesh.vertices) above.push_back(axis.direction.dot(vertex - axis.point));
+  for (const Vec3& vertex : surface_.mesh.vertices) {
+    above.push_back(axis.direction.dot(vertex - axis.point));
+    if (at_end && std::abs(above.back()) < margin) above.back() = on_plane;
+  }
+  return above;
+}
+
+std::vector<Section> Cutter::pieces(double height, const AxisPlace& axis) const {
+  const std::vector<double> above = this->above(height, axis);
 
   std::vector<std::pair<int, Segment>> found;  // with an edge that it meets
   Pieces pieces;
   for (std::size_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
     const auto& corner = surface_.mesh.triangles[t];
     // A vertex in the plane counts as above, so that a plane through a row of nodes meets each place once.
-    const auto is_above = [&](int vertex) { return above[static_cast<std::size_t>(vertex)] >= 0.0; };
+    const auto is_above = [&](int vertex) { return !std::signbit(above[static_cast<std::size_t>(vertex)]); };
     const auto count = std::count_if(corner.begin(), corner.end(), is_above);
     if (count == 0 || count == 3) continue;
     const auto alone = static_cast<std::size_t>(
@@ -216,12 +230,8 @@ std::vector<Section> Cutter::pieces(const AxisPlace& axis) const {
 }
 
 std::vector<Section> Cutter::cut(double height) const {
-  // An end that lies in the plane but for round-off is cut just inside.
-  const double margin = 1e-6 * (highest_ - lowest_);
-  if (std::abs(height - lowest_) < margin) height = lowest_ + margin;
-  if (std::abs(height - highest_) < margin) height = highest_ - margin;
   const AxisPlace axis = place(height);
-  std::vector<Section> all = with_open_pieces_joined(pieces(axis));
+  std::vector<Section> all = with_open_pieces_joined(pieces(height, axis));
   if (axis_.bent)
     all.erase(std::remove_if(all.begin(), all.end(), [&](const Section& s) { return !surrounds(s, axis); }), all.end());
   sort_sections(all, axis.direction);

@@ -44,7 +44,10 @@ class Cutter {
  private:
   AxisPlace place(double height) const;
   /// The connected pieces of the cut across the axis.
-  std::vector<Section> pieces(const AxisPlace& axis) const;
+  std::vector<Section> pieces(double height, const AxisPlace& axis) const;
+  /// [vertex] distance from the plane, mm. At an end of the garment that lies in it but for round-off: zero, and -0.0
+  /// at the lower one, which counts as below.
+  std::vector<double> above(double height, const AxisPlace& axis) const;
   void find_ends(const Axis& axis);
   Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const;
   void add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
