@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "toile/base/error.hpp"
+#include "toile/garment/bent_axis.hpp"
 #include "vector_input.hpp"
 
 namespace toile::garment {
@@ -32,18 +33,6 @@ double shortest_segment(const std::vector<Vec3>& points) {
   return shortest;
 }
 
-mesh::BentAxis read_bent(const base::List& list) {
-  for (const char* other : {"axis bottom", "axis top"})
-    if (list.given(other)) list.fail(other, "goes with a straight axis; give it or \"axis\", not both");
-  const std::vector<Vec3> points = read_points(list);
-  const double smoothing = list.real("smoothing");
-  try {
-    return mesh::BentAxis(points, smoothing > 0.0 ? smoothing : shortest_segment(points));
-  } catch (const base::InputError& error) {
-    list.fail("axis", error.what());
-  }
-}
-
 Axis read_straight(const base::List& list) {
   for (const char* end : {"axis bottom", "axis top"})
     if (!list.given(end))
@@ -60,12 +49,24 @@ Axis read_straight(const base::List& list) {
 
 }  // namespace
 
+mesh::BentAxis read_bent_axis(const base::List& list) {
+  const std::vector<Vec3> points = read_points(list);
+  const double smoothing = list.real("smoothing");
+  try {
+    return mesh::BentAxis(points, smoothing > 0.0 ? smoothing : shortest_segment(points));
+  } catch (const base::InputError& error) {
+    list.fail("axis", error.what());
+  }
+}
+
 LimbAxis::LimbAxis(const base::List& placement) {
   if (!placement.given("axis")) {
     straight_ = read_straight(placement);
     return;
   }
-  bent_ = read_bent(placement);
+  for (const char* other : {"axis bottom", "axis top"})
+    if (placement.given(other)) placement.fail(other, "goes with a straight axis; give it or \"axis\", not both");
+  bent_ = read_bent_axis(placement);
   const mesh::BentAxis::Place start = bent_->at(0.0);
   straight_ = {start.point, start.direction, read_perpendicular(placement, "zero direction", start.direction),
                "the first point of \"axis\", along it,"};

@@ -98,7 +98,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     build_problem(list, ranks);
   }
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
-  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, surface_ != nullptr);
+  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   list_modules(ranks);
 }
 
