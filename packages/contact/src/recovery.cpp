@@ -45,7 +45,7 @@ class Recoverer {
 
 void Recoverer::find_places() {
   for (size_t c = 0; c < place_.size(); ++c)
-    if (fabric_.clusters[c].force > 0.0) place_[c] = Place::inside;
+    if (fabric_.clusters[c].touches()) place_[c] = Place::inside;
   bridge();
   classify();
 }
@@ -89,7 +89,7 @@ void Recoverer::classify() {
   for (size_t c = 0; c < place_.size(); ++c) {
     if (place_[c] == Place::free || !near_free[c]) continue;
     place_[c] = near_contact[c] ? Place::border : Place::isolated;
-    if (!near_contact[c]) ++out_.isolated;
+    if (!near_contact[c] && !fabric_.clusters[c].held) ++out_.isolated;
   }
 }
 
@@ -164,13 +164,14 @@ Recovery Recoverer::run() {
     const int site = static_cast<int>(s);
     if (!touches(site)) continue;
     const double force_pressure = std::max(0.0, untilted_pressure[static_cast<size_t>(cluster_of(site))]);
-    unknown[s] = place(site) == Place::isolated || !cluster(site).surface.found;
+    const bool held = cluster(site).held;
+    unknown[s] = (place(site) == Place::isolated && !held) || !cluster(site).surface.found;
     if (unknown[s]) {
       out_.site[s].pressure = force_pressure;
       continue;
     }
     out_.site[s] = fitted(site);
-    if (place(site) != Place::border) continue;
+    if (place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;
   }

@@ -69,6 +69,7 @@ class Collector {
   std::vector<size_t> piece_;                      ///< [block]
   std::vector<int> cluster_of_;                    ///< [node] of fabric_
   std::vector<int> site_of_;                       ///< [node]
+  std::vector<bool> held_;                         ///< [node] in some direction
   std::map<std::pair<size_t, int>, int> site_at_;  ///< by piece and cluster
   contact::FabricInContact fabric_;
 };
@@ -77,6 +78,10 @@ class Collector {
 void Collector::add_clusters() {
   cluster_of_.resize(static_cast<size_t>(problem_.mesh->nodes()));
   site_of_.assign(cluster_of_.size(), -1);
+  held_.assign(cluster_of_.size(), false);
+  for (const Support& support : problem_.supports)
+    for (const int n : support.nodes)
+      held_[n] = held_[n] || std::find(support.held.begin(), support.held.end(), true) != support.held.end();
   for (size_t c = 0; c < problem_.clusters.size(); ++c) {
     const std::vector<int>& nodes = problem_.clusters[c];
     if (state_.seam == 1.0 || nodes.size() == 1) {
@@ -96,6 +101,7 @@ void Collector::add_cluster(const std::vector<int>& nodes, double offset, double
   for (const int n : nodes) {
     cluster_of_[n] = static_cast<int>(fabric_.clusters.size());
     cluster.area += fields_.area[n];
+    cluster.held = cluster.held || held_[n];
   }
   fabric_.clusters.push_back(cluster);
 }
@@ -128,13 +134,12 @@ std::vector<contact::Laid> Collector::laid(size_t b, const element::PointTension
     bool touches = true;
     for (size_t i = 0; i < static_cast<size_t>(element.nodes); ++i) {
       nodes[i] = &fabric_.clusters[static_cast<size_t>(fabric_.site_cluster[static_cast<size_t>(element.site[i])])];
-      touches = touches && nodes[i]->force > 0.0 && nodes[i]->surface.found;
+      touches = touches && nodes[i]->touches() && nodes[i]->surface.found;
     }
     for (int q = 0; q < element.points; ++q) {
       const double* x = &tensions.position[3 * laid.size()];
       const double* shape = &tensions.shape[static_cast<size_t>(q * element.nodes)];
-      laid.push_back(touches ? contact::laid_on({x[0], x[1], x[2]}, element.nodes, shape, nodes.data())
-                             : contact::Laid());
+      laid.push_back(touches ? contact::laid_on(element, {x[0], x[1], x[2]}, shape, nodes) : contact::Laid());
     }
   }
   return laid;

@@ -35,7 +35,15 @@ struct ContactCluster {
   body::SurfacePoint surface;    ///< of the body, seen from there
   double offset = 0.0;           ///< contact surface inside the mid-surface, mm
   double area = 0.0;             ///< current mid-surface area that belongs to it, mm^2
-  double force = 0.0;            ///< N; zero: free
+  double force = 0.0;            ///< of contact, N
+  /// A support takes a part of what the fabric presses, which is no contact force: being at the body is contact then.
+  bool held = false;
+
+  /// In contact.
+  bool touches() const {
+    constexpr double tolerance = 1e-6;  // mm
+    return force > 0.0 || (held && surface.found && surface.gap - offset <= tolerance);
+  }
 };
 
 /// A site is a place where one piece of fabric has a pressure of its own: a node, or the nodes that a seam ties within
@@ -75,7 +83,9 @@ struct Laid {
 };
 
 /// `shape`: shape functions of the nodes at `point`. The surface between the nodes is told by what is known at them;
-/// normal and gap are accurate to third and fourth order of the element's size.
-Laid laid_on(const Vec3& point, int nodes, const double* shape, const ContactCluster* const* clusters);
+/// normal and gap are accurate to third and fourth order of the element's size. Of an element of one point they are
+/// means over the element.
+Laid laid_on(const FabricElement& element, const Vec3& point, const double* shape,
+             const std::array<const ContactCluster*, 4>& clusters);
 
 }  // namespace toile::contact
