@@ -139,7 +139,7 @@ TEST(BentWrap, AnAxisThatDoesNotSeeTheWholeSectionIsRefused) {
                                           "of \"axis\", along it,"));
   Teuchos::ParameterList along = sleeve(15.0);
   placement_of(along).set("axis", reals({-30, 20, 70, 30, 20, 70})).set("from", 20.0).set("to", 40.0);
-  EXPECT_THAT(refusal(along), HasSubstr("seen from the axis the body's section folds behind itself"));
+  EXPECT_THAT(refusal(along), HasSubstr("folds behind itself where the panel lies (its radius jumps from "));
 }
 
 // A bent axis goes instead of a straight one, needs whole points, and its corners are what "smoothing" is for.
