@@ -55,18 +55,6 @@ double depth_of(const body::Surface& body, const Axis& axis, double height) {
   return -gap;
 }
 
-void check_shape(const std::vector<double>& radii, const Axis& axis, double height) {
-  for (std::size_t k = 0; k < radii.size(); ++k) {
-    const double a = radii[k], b = radii[(k + 1) % radii.size()];
-    if (std::max(a, b) <= largest_ratio * std::min(a, b)) continue;
-    std::ostringstream text;
-    text << "seen from the axis the body's section folds behind itself (its radius jumps from " << a << " to " << b
-         << " mm at the angle of " << 360.0 * static_cast<double>(k) / static_cast<double>(radii.size())
-         << " degrees from \"zero direction\"): lay the axis through the middle of the limb and along it";
-    fail(text.str(), axis, height);
-  }
-}
-
 }  // namespace
 
 body::Vec3 Axis::ray(double angle) const {
@@ -123,13 +111,24 @@ double Section::angle_at(double s) const {
   return angle;
 }
 
+std::optional<Section::Fold> Section::fold_between(double from, double to) const {
+  const auto n = static_cast<int>(radii_.size());
+  const double turns = std::floor(from / girth());
+  for (double turn = turns; turn * girth() < to; turn += 1.0)
+    for (int k = 0; k < n; ++k) {
+      if (turn * girth() + arc_[k + 1] <= from || turn * girth() + arc_[k] >= to) continue;
+      const double a = radii_[k], b = radii_[(k + 1) % n];
+      if (std::max(a, b) > largest_ratio * std::min(a, b)) return Fold{k * step_, a, b};
+    }
+  return std::nullopt;
+}
+
 Section trace_section(const body::Surface& body, const Axis& axis, double height, double offset) {
   const double depth = depth_of(body, axis, height);
   std::vector<double> radii;
   for (int k = 0; k < rays; ++k) {
     radii.push_back(trace_ray(body, axis, height, axis.ray(2.0 * M_PI * k / rays), depth, offset));
   }
-  check_shape(radii, axis, height);
   return Section(std::move(radii));
 }
 

@@ -135,7 +135,20 @@ class Wrapping {
       list_.fail("coverage", text.str());
     }
     const double centre = list_.real("angle") / 360.0 * section.girth();
+    if (fraction == 0.0) check_shape(section, height, centre - 0.5 * covered, centre + 0.5 * covered);
     return section.angle_at(centre + covered * (fraction - 0.5));
+  }
+
+  /// Refuses a fold of the section in the part that the row covers.
+  void check_shape(const Section& section, double height, double from, double to) const {
+    const auto fold = section.fold_between(from, to);
+    if (!fold) return;
+    std::ostringstream text;
+    text << "seen from the axis the body's section at the height " << height
+         << " mm folds behind itself where the panel lies (its radius jumps from " << fold->before << " to "
+         << fold->after << " mm at the angle of " << fold->angle * 180.0 / M_PI
+         << " degrees from \"zero direction\"): lay the axis through the middle of the limb and along it";
+    list_.fail(axis_.parameter(), text.str());
   }
 
   void add(const Axis& frame, double height, double angle, double radius, mesh::Placed& placed) const {

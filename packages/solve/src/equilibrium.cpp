@@ -264,9 +264,9 @@ void Equilibrium::residual(const Vector& z, double s, Vector& f) {
     out[first + i] = c.complementarity;
   }
   for (int c = 0; c < layout_.owned_clusters; ++c) {
-    const Vec3 f = layout_.components_of_force(c, Eigen::Map<const Vec3>(&force[3 * static_cast<size_t>(c)]));
+    const Vec3 part = layout_.components_of_force(c, Eigen::Map<const Vec3>(&force[3 * static_cast<size_t>(c)]));
     for (int d = 0; d < 3; ++d)
-      if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = f[d];
+      if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = part[d];
   }
   for (size_t n = 0; n < layout_.rotation.size(); ++n) {
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;

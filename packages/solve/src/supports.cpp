@@ -1,4 +1,5 @@
 // List "Supports": where the garment is held, moved and turned.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

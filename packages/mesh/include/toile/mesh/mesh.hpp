@@ -27,9 +27,9 @@ struct Block {
 
 /// Start in space of the nodes of one panel.
 struct Placed {
-  std::vector<Vec3> position;  ///< mm
-  std::vector<Vec3> normal;    ///< unit, along x_,1 x x_,2 with the pattern's axes 1, 2: the right side of the fabric
-  std::vector<Vec3> axis;      ///< unit direction of the axis that the panel is wrapped round; empty: round none
+  std::vector<Vec3> position;   ///< mm
+  std::vector<Vec3> normal;     ///< unit, along x_,1 x x_,2 with the pattern's axes 1, 2: the right side of the fabric
+  std::vector<Vec3> axis = {};  ///< unit direction of the axis that the panel is wrapped round; empty: round none
 };
 
 /// The whole garment, the same on every rank. Every panel has nodes of its own: seams tie them (see garment::Seam).
