@@ -92,18 +92,23 @@ std::string test_name(const testing::TestParamInfo<Case>& info) {
 
 class PressureOnAnyMesh : public testing::TestWithParam<Case> {};
 
-// On each kind of mesh the pressure is within 0.5 % (root mean square) of the exact one with elements of 4 mm, within
-// 2 % at every node away from the ends, and of second order; its sum is that of the exact one within 0.5 %, and the
-// estimate of its error is between a half and 3.5 times the error.
-TEST_P(PressureOnAnyMesh, IsOfSecondOrderWithItsError) {
+/// Limits of the root mean square: graded meshes have sides of 7 mm where the ellipse is sharp.
+double largest_rms(const std::string& mesh) {
+  return mesh.rfind("graded", 0) == 0 ? 0.005 : 0.003;
+}
+
+// On each kind of mesh with elements of 4 mm the pressure is within 0.3 % (root mean square; graded meshes: 0.5 %) of
+// the exact one, within 2 % at every node away from the ends, and clearly closer than with 8 mm; its sum is that of the
+// exact one within 0.25 %, and the estimate of its error is between a half and 3.5 times the error.
+TEST_P(PressureOnAnyMesh, IsRightWithItsError) {
   const ContactReference reference("contact_" + GetParam().reference);
   const MeshErrors coarse = solved(reference, GetParam().mesh, 8.0), fine = solved(reference, GetParam().mesh, 4.0);
   const double rate = std::log2(coarse.rms / fine.rms);
   print_row(GetParam().mesh, GetParam().reference, 4.0, fine, rate);
-  EXPECT_LE(fine.rms, 0.005);
+  EXPECT_LE(fine.rms, largest_rms(GetParam().mesh));
   EXPECT_LE(fine.largest, 0.02);
-  EXPECT_LE(std::abs(fine.force), 0.005);
-  EXPECT_GE(rate, 1.7);
+  EXPECT_LE(std::abs(fine.force), 0.0025);
+  EXPECT_GE(rate, 1.4);  // of two meshes that chance made
 }
 
 std::vector<Case> cases() {
@@ -115,6 +120,25 @@ std::vector<Case> cases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contact, PressureOnAnyMesh, testing::ValuesIn(cases()), test_name);
+
+class PressureOnFreeMeshes : public testing::TestWithParam<Case> {};
+
+// From elements of 8 to elements of 2 mm the pressure converges with second order on free meshes, on which a nodal
+// force over an area does not converge at all.
+TEST_P(PressureOnFreeMeshes, ConvergesWithSecondOrder) {
+  const ContactReference reference("contact_" + GetParam().reference);
+  const MeshErrors coarse = solved(reference, GetParam().mesh, 8.0), fine = solved(reference, GetParam().mesh, 2.0);
+  const double rate = 0.5 * std::log2(coarse.rms / fine.rms);
+  print_row(GetParam().mesh, GetParam().reference, 2.0, fine, rate);
+  EXPECT_GE(rate, 1.85);
+  EXPECT_LE(fine.rms, 0.0015);
+  EXPECT_GE(fine.nodal_force, 0.1) << "this mesh is too regular to tell anything";
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, PressureOnFreeMeshes,
+                         testing::Values(Case{"quadrilaterals", "ellipse_free_nh"},
+                                         Case{"graded triangles", "ellipsoid_fix_itskov"}),
+                         test_name);
 
 }  // namespace
 }  // namespace toile::test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "toile/body/analytic.hpp"
-#include "toile/body/body.hpp"
+#include "toile/material/relaxed_response.hpp"
 
 namespace toile::test {
 namespace {
@@ -46,13 +46,16 @@ std::shared_ptr<const body::Surface> surface_of(const ContactReference& referenc
   throw std::runtime_error("no body for " + name);
 }
 
-std::unique_ptr<material::Material> fabric_of(const std::string& short_name) {
+std::unique_ptr<material::Material> fabric_of(const std::string& short_name, const PatternOptions& options) {
   const material::MaterialV1& law = *material::find(material_of(short_name));
-  for (int i = 0; i < law.n_sets; ++i)
-    if (std::string(law.sets[i].name) == "pantyhose")
-      return std::make_unique<material::Material>(
-          law, std::vector<double>(law.sets[i].values, law.sets[i].values + law.n_params), 1.0);
-  throw std::runtime_error("no set pantyhose");
+  const auto set = std::find_if(law.sets, law.sets + law.n_sets,
+                                [](const material::ParamSet& s) { return std::string(s.name) == "pantyhose"; });
+  std::vector<double> params(set->values, set->values + law.n_params);
+  if (options.shell_c10 > 0.0) params = {options.shell_c10};
+  std::shared_ptr<const material::Response> response;
+  if (options.tension_field)
+    response = std::make_shared<material::RelaxedResponse>(law, material::Relaxation::tension_field, 1e-6);
+  return std::make_unique<material::Material>(law, params, 1.0, response);
 }
 
 bool is_waist(const ContactReference& reference) {
@@ -70,12 +73,13 @@ double pattern_height(const ContactReference& reference) {
   return reference.part(1) == "ellipse" ? 100.0 : reference.header("L0");
 }
 
-PatternSleeve::PatternSleeve(const ContactReference& reference, const PatternMesh& flat)
+PatternSleeve::PatternSleeve(const ContactReference& reference, const PatternMesh& flat, const PatternOptions& options)
     : reference_(reference),
+      options_(options),
       width_(pattern_width(reference)),
       height_(pattern_height(reference)),
-      surface_(surface_of(reference)),
-      material_(fabric_of(reference.part(is_waist(reference) ? 2 : 3))) {
+      surface_(options.surface ? options.surface : surface_of(reference)),
+      material_(fabric_of(reference.part(is_waist(reference) ? 2 : 3), options)) {
   mesh_.pattern.assign(flat.nodes.begin(), flat.nodes.end());
   std::vector<int> four, three;
   for (const auto& e : flat.quadrilaterals) four.insert(four.end(), e.begin(), e.end());
@@ -84,7 +88,7 @@ PatternSleeve::PatternSleeve(const ContactReference& reference, const PatternMes
   if (!three.empty()) add_block("triangles", 3, three);
   problem.mesh = &mesh_;
   problem.surface = surface_.get();
-  problem.contact.offset_by_half_thickness = false;  // membrane theory
+  problem.contact.offset_by_half_thickness = options.shell_c10 > 0.0;  // membrane theory: at the mid-surface
   problem.contact.relative_stiffness = 10.0;
   place();
   add_clusters(flat);
@@ -99,7 +103,9 @@ void PatternSleeve::add_block(const std::string& name, int nodes, const std::vec
   block.wale_angle.assign(static_cast<size_t>(block.size()), 0.5 * M_PI);
   block.position.assign(static_cast<size_t>(block.size()), 0.5);
   problem.element_rank.emplace_back(static_cast<size_t>(block.size()), 0);
-  problem.laws.push_back({element::find(nodes == 4 ? "membrane4" : "membrane3"), material_.get()});
+  const std::string kind = options_.shell_c10 > 0.0 ? "shell" : "membrane";
+  problem.laws.push_back(
+      {element::find(kind + std::to_string(nodes)), material_.get(), {3, 2.0 * options_.shell_c10 * 5.0 / 6.0, false}});
   mesh_.blocks.push_back(block);
 }
 
@@ -125,7 +131,7 @@ void PatternSleeve::add_supports() {
     if (mesh_.pattern[n].y() > height_ - 1e-6) top.nodes.push_back(static_cast<int>(n));
   }
   problem.supports.push_back(bottom);
-  if (reference_.part(2) == "free") return;
+  if (reference_.part(2) == "free" && options_.top == 0.0) return;
   // Held along z alone, tension would pull the end off a body that narrows.
   if (reference_.part(1) == "ellipsoid" || is_waist(reference_)) top.held = {true, true, true};
   problem.supports.push_back(top);
@@ -136,8 +142,9 @@ void PatternSleeve::place() {
   const EllipseByArc ellipse;
   const double top = body == "ellipse" ? reference_.header("lam_axial") * height_
                                        : reference_.header(is_waist(reference_) ? "z" : "z_end");
+  const double end = options_.top > 0.0 ? options_.top : top;
   for (const Eigen::Vector2d& X : mesh_.pattern) {
-    const double part = X.x() / width_, z = top * X.y() / height_;
+    const double part = X.x() / width_, z = end * X.y() / height_;
     if (body == "ellipse") {
       const double t = ellipse.parameter(part - std::floor(part));
       mesh_.placed.emplace_back(a * std::cos(t), b * std::sin(t), z);

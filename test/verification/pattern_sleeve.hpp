@@ -10,10 +10,18 @@
 
 namespace toile::test {
 
+/// What a sleeve may have of its own.
+struct PatternOptions {
+  std::shared_ptr<const body::Surface> surface = nullptr;  ///< instead of the body by its formula
+  double top = 0.0;            ///< mm, height at which the upper end is held along z; 0: as in the reference
+  bool tension_field = false;  ///< of its fabric
+  double shell_c10 = 0.0;      ///< MPa; > 0: shells of neo-Hookean fabric of 1 mm, with their inner face on the body
+};
+
 /// A sleeve of any mesh on the body of a reference, built without a scene, on one rank.
 class PatternSleeve {
  public:
-  PatternSleeve(const ContactReference& reference, const PatternMesh& flat);
+  PatternSleeve(const ContactReference& reference, const PatternMesh& flat, const PatternOptions& options = {});
   PatternSleeve(const PatternSleeve&) = delete;
   PatternSleeve& operator=(const PatternSleeve&) = delete;
 
@@ -37,6 +45,7 @@ class PatternSleeve {
   void place();
 
   const ContactReference& reference_;
+  PatternOptions options_;
   double width_, height_;
   mesh::Mesh mesh_;
   std::shared_ptr<const body::Surface> surface_;

@@ -69,7 +69,7 @@ double Sleeve::imbalance() const {
 double Sleeve::largest_gap() const {
   double largest = 0.0;
   for (size_t n = 0; n < fields.gap.size(); ++n)
-    if (fields.pressure[n] > 0.0) largest = std::max(largest, std::abs(fields.gap[n]));
+    if (fields.contact_force[n] > 0.0) largest = std::max(largest, std::abs(fields.gap[n]));
   return largest;
 }
 

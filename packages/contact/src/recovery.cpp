@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "patches.hpp"
 #include "tension_fit.hpp"
@@ -32,9 +34,12 @@ class Recoverer {
 
   void find_places();
   void bridge();
+  std::vector<std::vector<int>> clusters_around() const;
+  bool hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const;
   void classify();
   std::vector<double> untilted() const;
-  SitePressure fitted(int site);
+  std::optional<SitePressure> fitted(int site);
+  double load(int site) const;
   void average_errors();
 
   const FabricInContact& fabric_;
@@ -50,47 +55,73 @@ void Recoverer::find_places() {
   classify();
 }
 
-/// The tilt of facets can pull at a node that the fabric presses on, so that the solve lets it go: it then hovers by
-/// less than a chord sags, and all around it touches.
+/// The tilt of facets can pull at nodes that the fabric presses on, so that the solve lets them go: they then hover by
+/// less than a chord sags, and all around them touches.
 void Recoverer::bridge() {
-  struct Around {
-    bool touching = true;
-    double size = 0.0;  // of the elements, mm
-  };
-  std::vector<Around> around(place_.size());
-  for (const FabricElement& element : fabric_.elements)
-    for (int i = 0; i < element.nodes; ++i)
-      for (int j = 0; j < element.nodes; ++j) {
-        const int a = element.site[static_cast<size_t>(i)], b = element.site[static_cast<size_t>(j)];
-        Around& at = around[static_cast<size_t>(cluster_of(a))];
-        if (cluster_of(a) != cluster_of(b) && !touches(b)) at.touching = false;
-        at.size = std::max(at.size, (cluster(a).position - cluster(b).position).norm());
-      }
+  const std::vector<std::vector<int>> neighbours = clusters_around();
+  std::vector<bool> hovers(place_.size(), false);
+  for (size_t c = 0; c < place_.size(); ++c) hovers[c] = place_[c] == Place::free && hovers_by_a_sag(c, neighbours[c]);
+  std::vector<bool> seen(place_.size(), false);
   std::vector<size_t> bridged;
   for (size_t c = 0; c < place_.size(); ++c) {
-    const ContactCluster& cluster = fabric_.clusters[c];
-    if (place_[c] != Place::free || !around[c].touching || around[c].size == 0.0 || !cluster.surface.found) continue;
-    const double sag = 0.125 * around[c].size * around[c].size * cluster.surface.hessian.norm();
-    if (cluster.surface.gap - cluster.offset <= sag) bridged.push_back(c);
+    if (!hovers[c] || seen[c]) continue;
+    std::vector<size_t> island = {c};
+    seen[c] = true;
+    bool enclosed = true, touching = false;
+    for (size_t k = 0; k < island.size(); ++k)
+      for (const int next : neighbours[island[k]]) {
+        const auto n = static_cast<size_t>(next);
+        if (place_[n] != Place::free) {
+          touching = true;
+        } else if (!hovers[n]) {
+          enclosed = false;
+        } else if (!seen[n]) {
+          seen[n] = true;
+          island.push_back(n);
+        }
+      }
+    if (!enclosed || !touching) continue;
+    bridged.insert(bridged.end(), island.begin(), island.end());
   }
   for (const size_t c : bridged) place_[c] = Place::inside;
   out_.bridged = static_cast<int>(bridged.size());
 }
 
-void Recoverer::classify() {
-  std::vector<bool> near_free(place_.size(), false), near_contact(place_.size(), false);
+/// [cluster] the others of its elements, some of them more than once.
+std::vector<std::vector<int>> Recoverer::clusters_around() const {
+  std::vector<std::vector<int>> around(place_.size());
   for (const FabricElement& element : fabric_.elements)
     for (int i = 0; i < element.nodes; ++i)
       for (int j = 0; j < element.nodes; ++j) {
-        const int a = element.site[static_cast<size_t>(i)], b = element.site[static_cast<size_t>(j)];
-        if (cluster_of(a) != cluster_of(b))
-          (touches(b) ? near_contact : near_free)[static_cast<size_t>(cluster_of(a))] = true;
+        const int a = cluster_of(element.site[static_cast<size_t>(i)]);
+        const int b = cluster_of(element.site[static_cast<size_t>(j)]);
+        if (a != b) around[static_cast<size_t>(a)].push_back(b);
       }
+  return around;
+}
+
+bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const {
+  const ContactCluster& cluster = fabric_.clusters[c];
+  if (!cluster.surface.found) return false;
+  double squared = 0.0;
+  for (const int n : neighbours)
+    squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
+  return cluster.surface.gap - cluster.offset <= 0.125 * squared * cluster.surface.hessian.norm();
+}
+
+void Recoverer::classify() {
+  const std::vector<std::vector<int>> neighbours = clusters_around();
+  std::vector<Place> place = place_;
   for (size_t c = 0; c < place_.size(); ++c) {
-    if (place_[c] == Place::free || !near_free[c]) continue;
-    place_[c] = near_contact[c] ? Place::border : Place::isolated;
-    if (!near_contact[c] && !fabric_.clusters[c].held) ++out_.isolated;
+    if (place_[c] == Place::free || neighbours[c].empty()) continue;
+    const auto is_free = [&](int n) { return place_[static_cast<size_t>(n)] == Place::free; };
+    const auto free = std::count_if(neighbours[c].begin(), neighbours[c].end(), is_free);
+    if (free == 0) continue;
+    const bool alone = free == static_cast<std::ptrdiff_t>(neighbours[c].size());
+    place[c] = alone ? Place::isolated : Place::border;
+    if (alone && !fabric_.clusters[c].held) ++out_.isolated;
   }
+  place_ = std::move(place);
 }
 
 /// [cluster] MPa: contact force over area, freed of what the facets' tilt against the body makes of their tension.
@@ -108,16 +139,30 @@ std::vector<double> Recoverer::untilted() const {
   return force;
 }
 
-SitePressure Recoverer::fitted(int site) {
+/// Nothing if the elements around it do not tell.
+std::optional<SitePressure> Recoverer::fitted(int site) {
   const ContactCluster& at = cluster(site);
   const std::vector<int>& patch = patches_.around(site, 0);
-  const double mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0).value_or(0.0);
-  SitePressure result;
-  result.pressure = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(mean);
-  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(mean);
-  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(mean);
-  result.error = std::abs(quadratic - result.pressure) + std::abs(laid - result.pressure);
-  return result;
+  const std::optional<double> mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0);
+  if (!mean) return std::nullopt;
+  const double linear = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(*mean);
+  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
+  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(*mean);
+  return SitePressure{linear - load(site), std::abs(quadratic - linear) + std::abs(laid - linear)};
+}
+
+/// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
+double Recoverer::load(int site) const {
+  double sum = 0.0, area = 0.0;
+  for (const int e : patches_.at(site)) {
+    const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
+    for (int q = 0; q < element.points; ++q) {
+      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      sum += point.area * element.load * point.normal.dot(cluster(site).surface.normal);
+      area += point.area;
+    }
+  }
+  return pressure(sum, area);
 }
 
 /// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
@@ -165,13 +210,11 @@ Recovery Recoverer::run() {
     if (!touches(site)) continue;
     const double force_pressure = std::max(0.0, untilted_pressure[static_cast<size_t>(cluster_of(site))]);
     const bool held = cluster(site).held;
-    unknown[s] = (place(site) == Place::isolated && !held) || !cluster(site).surface.found;
-    if (unknown[s]) {
-      out_.site[s].pressure = force_pressure;
-      continue;
-    }
-    out_.site[s] = fitted(site);
-    if (place(site) != Place::border || held) continue;
+    const bool told = (place(site) != Place::isolated || held) && cluster(site).surface.found;
+    const std::optional<SitePressure> found = told ? fitted(site) : std::nullopt;
+    unknown[s] = !found;
+    out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
+    if (!found || place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;
   }

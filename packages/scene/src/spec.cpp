@@ -48,7 +48,7 @@ Spec output_spec() {
             "neighbouring points.",
             0.0, Range::non_negative())
       .integer("stations", "Points of the pressure curve along the axis, at least 2; 0: no curve.", 0,
-               Range::at_least(0))
+               Range::between(0, 10000))
       .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
             Range::positive())
       .list(Spec("Levels", "Named heights, for instance the hosiery levels.").entries(level))

@@ -119,6 +119,8 @@ contact::FabricElement Collector::element(size_t b, size_t e) {
   contact::FabricElement element;
   element.nodes = block.nodes_per_element;
   element.points = problem_.laws[b].element->points();
+  for (const FollowerPressure& load : problem_.pressures)
+    if (load.block == static_cast<int>(b)) element.load += state_.load * load.pressure;
   element.first_point = static_cast<int>(fabric_.points.size()) + static_cast<int>(e) * element.points;
   for (int i = 0; i < element.nodes; ++i)
     element.site[static_cast<size_t>(i)] =

@@ -45,7 +45,7 @@ const NodalField nodal_table[] = {
      "mapped onto it",
      [](const Fields& f, size_t n, int) { return base::mpa_to_kpa(f.pressure[n]); }, true, true},
     {"pressure_error", "kPa", "estimate of the pressure's error that the mesh makes; not of body, fabric and tolerance",
-     [](const Fields& f, size_t n, int) { return base::mpa_to_kpa(f.pressure_error[n]); }, true, true},
+     [](const Fields& f, size_t n, int) { return base::mpa_to_kpa(f.pressure_error[n]); }, true},
     {"contact_force", "N", "force of the body on the garment along the normal; nodes of a seam share theirs by area",
      [](const Fields& f, size_t n, int) { return f.contact_force[n]; }},
     {"gap", "mm", "distance of the fabric's contact surface from the body",
@@ -74,7 +74,7 @@ const GlobalField global_table[] = {
      [](const StepReport& r) { return static_cast<double>(r.negative_pivots); }},
     {"critical_point", "",
      "between this step and the one before: 1 a limit point, 2 a bifurcation, 3 one of them or a change of contact "
-     "(natural continuation cannot tell)",
+     "(natural continuation cannot tell), 4 a jump to another branch",
      [](const StepReport& r) { return static_cast<double>(r.critical); }},
     {"undamped", "", "1: the final state of a stage", [](const StepReport& r) { return r.undamped ? 1.0 : 0.0; }},
     {"wall_time", "s", "since the start", [](const StepReport& r) { return r.seconds; }},

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "toile/body/surface.hpp"
@@ -17,7 +18,8 @@ struct TensionPoint {
   Mat3 tension = Mat3::Zero();      ///< force per current length, N/mm
   Mat3 laid = Mat3::Zero();         ///< the same of the element laid onto the body, see laid_on()
   Vec3 body_normal = Vec3::Zero();  ///< of the body below the point; zero where the element is not in full contact
-  std::array<Vec3, 4> force = {};   ///< what `tension` does to the element's nodes, N
+  std::array<Vec3, 4> force = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                               Vec3::Zero()};  ///< what `tension` does to the element's nodes, N
 };
 
 /// One element of the fabric: up to four sites, in their order around it, and its points [first_point, first_point +
@@ -27,6 +29,7 @@ struct FabricElement {
   std::array<int, 4> site = {};
   int first_point = 0;
   int points = 0;
+  double load = 0.0;  ///< pressure of a load on it, along the normals of its points, MPa
 };
 
 /// What is tied together: one position, one place on the body, one contact force.
@@ -42,7 +45,7 @@ struct ContactCluster {
   /// In contact.
   bool touches() const {
     constexpr double tolerance = 1e-6;  // mm
-    return force > 0.0 || (held && surface.found && surface.gap - offset <= tolerance);
+    return force > 0.0 || (held && surface.found && std::abs(surface.gap - offset) <= tolerance);
   }
 };
 
@@ -69,7 +72,8 @@ struct Recovery {
 
 /// The pressure that the fabric's tension makes on the body, recovered at every site: tension x curvature, with the
 /// tension of a linear least-squares fit over the elements around the site, and the curvature of the body's smooth
-/// surface. Second order on any mesh; a nodal force over an area is so on few. See doc/theory.md, "Pressure".
+/// surface, less the pressure of loads. Second order on any mesh; a nodal force over an area is so on few. See
+/// doc/theory.md, "Pressure".
 ///
 /// Sites at the border of contact, which are loaded on a part of their area, have their force, freed of what the tilt
 /// of the facets makes. Free sites have zero.
