@@ -5,7 +5,9 @@
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
@@ -28,11 +30,11 @@ int report(const std::string& message, ExitCode code) {
 }
 
 /// The other ranks may not have failed, and would wait for this one for ever: all of them are ended.
-int fail_internally(const std::exception& error) {
+int fail_everywhere(const std::string& message, ExitCode code) {
   const auto comm = Tpetra::getDefaultComm();
-  if (comm->getSize() == 1) return report(std::string("internal error: ") + error.what(), ExitCode::internal_error);
-  std::cerr << "toile: internal error on rank " << comm->getRank() << ": " << error.what() << std::endl;
-  return MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
+  if (comm->getSize() == 1) return report(message, code);
+  std::cerr << "toile: on rank " << comm->getRank() << ": " << message << std::endl;
+  return MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
 }
 
 [[noreturn]] void fail_unknown(const std::string& kind, const std::string& found, const Texts& valid) {
@@ -144,7 +146,10 @@ int dispatch(int argc, char** argv) {
 
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
-  describe->add_option("list", list, "Only this list, for instance Panels; fields: what is written");
+  describe->add_option(
+      "list", list,
+      "Only this list or parameter: its name or path, \"Panels > front > width\", or an error message; "
+      "fields: what is written");
   describe->add_flag("--markdown", markdown, "As Markdown");
   describe->add_option("--scene", scene, "Also the plug-ins and formulas of this scene");
   describe->add_flag("--allow-plugins", allow_plugins, allow_text);
@@ -179,7 +184,11 @@ int main(int argc, char** argv) {
     return dispatch(argc, argv);
   } catch (const toile::base::Error& error) {
     return report(error.what(), error.code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail_everywhere(std::string("a file cannot be used: ") + error.what(), ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    return fail_everywhere("the memory does not suffice for this input", ExitCode::bad_input);
   } catch (const std::exception& error) {
-    return fail_internally(error);
+    return fail_everywhere(std::string("internal error: ") + error.what(), ExitCode::internal_error);
   }
 }

@@ -240,6 +240,7 @@ const std::vector<VariableInfo>& variables() {
 }
 
 Program translate(const std::string& text, const std::vector<std::string>& parameters) {
+  check_nesting(text);
   tao::pegtl::memory_input in(text, "");
   try {
     const auto root =
