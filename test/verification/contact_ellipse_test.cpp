@@ -126,7 +126,7 @@ TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
 
 INSTANTIATE_TEST_SUITE_P(Contact, TriangulatedEllipse, testing::Values(1, 2));
 
-// Ten times more or less augmentation changes no nodal pressure by 0.1 %.
+// Ten times more or less augmentation changes no nodal pressure by more than the solver's tolerance leaves.
 TEST(PenaltyNumber, DoesNotEnterThePressure) {
   SleeveOptions o = options_of(ContactReference("contact_ellipse_ax1.1_rebar"), 48, 16);
   o.angle = 7.3;
@@ -140,7 +140,7 @@ TEST(PenaltyNumber, DoesNotEnterThePressure) {
       largest = std::max(largest, std::abs(other.fields.pressure[n] / usual.fields.pressure[n] - 1.0));
     }
     print("augmentation x %-4g: largest change of a nodal pressure %.1e\n", factor, largest);
-    EXPECT_LE(largest, 1e-3);
+    EXPECT_LE(largest, 2e-11);
   }
 }
 

@@ -60,10 +60,10 @@ class ElementAssembly {
     std::vector<double> frames, reference, frozen, next_frozen;  ///< of shells, see element::Batch
     std::vector<double> energy, residual, tangent;
     std::vector<std::uint8_t> status;
-    std::vector<size_t> turned;                ///< elements with a node whose components are not x, y and z
     std::vector<std::uint8_t> pressure_edges;  ///< [element] see find_pressure_edges; empty without a pressure
     std::vector<double> edge_x;                ///< positions [element][node][3] about which their potential is
     std::vector<std::int64_t> entry;           ///< [element][ndof][ndof] place in the matrix, or -1
+    std::vector<size_t> turned;                ///< elements with a node whose components are not x, y and z
   };
 
   void find_entries(Part& part, const Graph& graph) const;
