@@ -152,7 +152,8 @@ TEST(Recovery, FlagsIsolatedContacts) {
   EXPECT_EQ(recovery.site[static_cast<size_t>(Patch::node(4, 3))].error, 0.01);
 }
 
-// A node that the tilt of its facets lifts by less than a chord sags, among nodes in contact, has its pressure.
+// A node that the tilt of its facets lifts by less than a chord sags, among nodes in contact, has its pressure; one
+// that hovers over a hollow has none.
 TEST(Recovery, BridgesANodeThatTiltLifts) {
   Patch patch(uniform);
   ContactCluster& lifted = patch.at(Patch::node(4, 3));
@@ -162,6 +163,12 @@ TEST(Recovery, BridgesANodeThatTiltLifts) {
   EXPECT_EQ(recovery.bridged, 1);
   for (const contact::SitePressure& site : recovery.site)
     EXPECT_NEAR(site.pressure, uniform(0.0) / radius, 1e-10 * uniform(0.0) / radius);
+  const body::Mat3 convex = lifted.surface.hessian;
+  lifted.surface.hessian = -convex;  // a hollow
+  recovery = contact::recover(patch);
+  EXPECT_EQ(recovery.bridged, 0);
+  EXPECT_EQ(recovery.site[static_cast<size_t>(Patch::node(4, 3))].pressure, 0.0);
+  lifted.surface.hessian = convex;
   lifted.surface.gap = 1.0;  // far more than 5 mm chords sag
   recovery = contact::recover(patch);
   EXPECT_EQ(recovery.bridged, 0);

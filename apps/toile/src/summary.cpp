@@ -102,6 +102,10 @@ std::vector<std::string> field_warnings(const solve::Fields& fields, const solve
          << fields.largest_extrapolation << " in " << fields.extrapolated_where;
     warnings.push_back(text.str());
   }
+  if (fields.isolated_contacts > 0)
+    warnings.push_back(std::to_string(fields.isolated_contacts) +
+                       " nodes touch the body while all their neighbours are free: the mesh is too coarse there, and "
+                       "their pressure is as uncertain as it is large (field pressure_error)");
   if (fields.contacts_off_surface > 0)
     warnings.push_back("the body has no smooth surface near " + std::to_string(fields.contacts_off_surface) +
                        " nodes in contact: their pressure shows its facets");

@@ -23,7 +23,13 @@ enum class Place {
 class Recoverer {
  public:
   explicit Recoverer(const FabricInContact& fabric)
-      : fabric_(fabric), patches_(fabric), place_(fabric.clusters.size(), Place::free) {}
+      : fabric_(fabric),
+        patches_(fabric),
+        sites_of_(fabric.clusters.size()),
+        place_(fabric.clusters.size(), Place::free) {
+    for (size_t s = 0; s < fabric.site_cluster.size(); ++s)
+      sites_of_[static_cast<size_t>(fabric.site_cluster[s])].push_back(static_cast<int>(s));
+  }
   Recovery run();
 
  private:
@@ -36,6 +42,7 @@ class Recoverer {
   void bridge();
   std::vector<std::vector<int>> clusters_around() const;
   bool hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const;
+  bool presses(size_t c);
   void classify();
   std::vector<double> untilted() const;
   std::optional<SitePressure> fitted(int site);
@@ -44,7 +51,8 @@ class Recoverer {
 
   const FabricInContact& fabric_;
   Patches patches_;
-  std::vector<Place> place_;  ///< [cluster]
+  std::vector<std::vector<int>> sites_of_;  ///< [cluster]
+  std::vector<Place> place_;                ///< [cluster]
   Recovery out_;
 };
 
@@ -56,7 +64,7 @@ void Recoverer::find_places() {
 }
 
 /// The tilt of facets can pull at nodes that the fabric presses on, so that the solve lets them go: they then hover by
-/// less than a chord sags, and all around them touches.
+/// less than a chord sags, all around them touches, and their tension would press. Over a hollow it would pull.
 void Recoverer::bridge() {
   const std::vector<std::vector<int>> neighbours = clusters_around();
   std::vector<bool> hovers(place_.size(), false);
@@ -80,7 +88,8 @@ void Recoverer::bridge() {
           island.push_back(n);
         }
       }
-    if (!enclosed || !touching) continue;
+    if (!enclosed || !touching || !std::all_of(island.begin(), island.end(), [&](size_t i) { return presses(i); }))
+      continue;
     bridged.insert(bridged.end(), island.begin(), island.end());
   }
   for (const size_t c : bridged) place_[c] = Place::inside;
@@ -107,6 +116,13 @@ bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) co
   for (const int n : neighbours)
     squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
   return cluster.surface.gap - cluster.offset <= 0.125 * squared * cluster.surface.hessian.norm();
+}
+
+bool Recoverer::presses(size_t c) {
+  return std::all_of(sites_of_[c].begin(), sites_of_[c].end(), [&](int site) {
+    const std::optional<SitePressure> found = fitted(site);
+    return found && found->pressure > 0.0;
+  });
 }
 
 void Recoverer::classify() {
