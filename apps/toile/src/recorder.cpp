@@ -17,12 +17,14 @@ namespace toile::app {
 
 namespace {
 
-const std::string exodus_name = "results.exo", history_name = "history.h5", restart_name = "restart.h5";
+const std::string exodus_name = "results.exo", history_name = "history.h5", restart_name = "restart.h5",
+                  start_name = "start.exo";
 
 /// Every file that a run may write into its folder.
 std::vector<std::string> result_files() {
-  std::vector<std::string> names = {exodus_name,          history_name, restart_name,    "pressure-levels.csv",
-                                    "pressure-curve.csv", "points.csv", "distances.csv", "reactions.csv"};
+  std::vector<std::string> names = {exodus_name,  history_name,          restart_name,
+                                    start_name,   "pressure-levels.csv", "pressure-curve.csv",
+                                    "points.csv", "distances.csv",       "reactions.csv"};
   for (const std::string plot : {"pressure", "force-curves", "torques"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"}) names.push_back(plot + ending);
   return names;
@@ -48,16 +50,33 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
 }
 
 void Recorder::open_files(const solve::StepReport& report) {
+  const std::vector<result::FieldName> globals = open_exodus(exodus_name, report);
+  history_ = std::make_unique<result::History>(folder_ + "/" + history_name, globals);
+  if (result::files_available()) written_ = {exodus_name, history_name, restart_name};
+}
+
+std::vector<result::FieldName> Recorder::open_exodus(const std::string& file, const solve::StepReport& report) {
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
   result::FieldNames names;
   names.nodal = names_of(solve::nodal_fields(scene_.problem(), fields_));
   names.element = names_of(solve::element_fields(fields_));
   names.global = names_of(solve::global_fields(scene_.problem(), report));
-  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/" + exodus_name, scene_.garment().mesh,
+  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/" + file, scene_.garment().mesh,
                                                    with_body ? &body_ : nullptr, names);
-  history_ = std::make_unique<result::History>(folder_ + "/" + history_name, names.global);
-  if (result::files_available()) written_ = {exodus_name, history_name, restart_name};
+  return names.global;
+}
+
+void Recorder::write_start() {
+  const solve::State start = scene_.start();
+  fields_ = solve::compute_fields(scene_.problem(), start);
+  solve::StepReport report;
+  report.seam = start.seam;
+  report.balance.support.assign(scene_.problem().supports.size(), solve::Vec3::Zero());
+  report.balance.torque.assign(scene_.problem().supports.size(), 0.0);
+  open_exodus(start_name, report);
+  write_fields(report);
+  exodus_.reset();
 }
 
 /// The files of the first step took the places of older ones; the others of the older run do not belong to them.
@@ -109,7 +128,7 @@ void Recorder::write_fields(const solve::StepReport& report) {
     history.push_back(field.values.front());
   }
   exodus_->write_step(report.step, data);
-  history_->append(history);
+  if (history_ != nullptr) history_->append(history);
 }
 
 void Recorder::write_restart(const solve::StepReport& report, const solve::State& state) const {

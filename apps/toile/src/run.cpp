@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "findings.hpp"
 #include "recorder.hpp"
+#include "start.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
@@ -44,8 +45,8 @@ void on_first_rank(const F& work) {
 
 /// What is on disk after a stage failed.
 std::string kept_text(const Recorder& recorder, const std::string& folder) {
-  if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
   if (!result::files_available()) return "";
+  if (recorder.reports().empty()) return " No step was accepted; the start is in " + folder + "/start.exo.";
   return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
          folder + "/results.exo, and in " + folder + "/restart.h5.";
 }
@@ -103,6 +104,7 @@ int run(const RunArguments& arguments) {
   const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
   const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
   const scene::Scene scene(list, comm->getSize(), timer, laws);
+  check_names(scene, list);
   const std::string folder = folder_of(arguments);
   std::optional<Recorder> recorder;
   on_first_rank([&] { recorder.emplace(scene, folder); });
@@ -111,6 +113,8 @@ int run(const RunArguments& arguments) {
 
   if (!result::files_available())
     log.warn("this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
+
+  tell_start(scene::look_at_start(scene, list), log);
 
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());
@@ -129,6 +133,9 @@ int run(const RunArguments& arguments) {
     } catch (const base::SolveError& error) {
       tell(simulation, log);
       write_histories_of_failed_run(recorder, log);
+      on_first_rank([&] {
+        if (recorder->reports().empty()) recorder->write_start();
+      });
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
