@@ -36,6 +36,8 @@ int run(const RunArguments& arguments);
 int check(const std::string& scene, bool allow_plugins);
 /// `scene`: empty, or a file whose plug-ins are described too.
 int describe(bool markdown, const std::string& list, const std::string& scene, bool allow_plugins);
+/// Prints the fields that a run writes.
+int describe_fields(bool markdown);
 /// Compiles a fabric; `output` empty: the source's name with .so, beside it.
 int build_material(const std::string& source, const std::string& output, bool verbose);
 int check_material(const MaterialCheckArguments& arguments);

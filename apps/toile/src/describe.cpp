@@ -41,6 +41,7 @@ int check(const std::string& file, bool allow_plugins) {
 }
 
 int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
+  if (name == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
   std::vector<base::Spec> specs = {scene::scene_spec(laws), fabric_file()};
   if (!name.empty()) {

@@ -147,7 +147,7 @@ int dispatch(int argc, char** argv) {
 
   std::string list;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
-  describe->add_option("list", list, "Only this list, for instance Panels");
+  describe->add_option("list", list, "Only this list, for instance Panels; fields: what is written");
   describe->add_flag("--markdown", markdown, "As Markdown");
   describe->add_option("--scene", scene, "Also the plug-ins and formulas of this scene");
   describe->add_flag("--allow-plugins", allow_plugins, allow_text);

@@ -6,84 +6,22 @@
 #include <fstream>
 
 #include "toile/base/error.hpp"
-#include "toile/base/units.hpp"
 #include "toile/result/body_map.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
 #include "toile/result/pressure_lines.hpp"
 #include "toile/result/state_file.hpp"
+#include "toile/solve/output_fields.hpp"
 #include "torques.hpp"
 
 namespace toile::app {
 
 namespace {
 
-/// Units of solve::element_field_names(problem), in their order.
-const std::vector<std::string> element_units = {"",     "",     "",    "",   "MPa", "MPa", "MPa", "MPa", "MPa",
-                                                "N/mm", "N/mm", "MPa", "mm", "",    "",    "",    "",    ""};
-
-std::vector<result::FieldName> global_names(const solve::Problem& problem) {
-  std::vector<result::FieldName> names = {{"load", ""},
-                                          {"seam_closing", ""},
-                                          {"strain_energy", "N mm"},
-                                          {"dissipated_energy", "N mm"},
-                                          {"dissipation_ratio", ""},
-                                          {"iterations", ""},
-                                          {"cut_backs", ""},
-                                          {"residual", ""},
-                                          {"undamped_residual", ""},
-                                          {"largest_gap", "mm"},
-                                          {"negative_pivots", ""},
-                                          {"critical_point", ""},
-                                          {"undamped", ""},
-                                          {"wall_time", "s"}};
-  const std::vector<result::FieldName> of_supports = torque_names(problem);
-  names.insert(names.end(), of_supports.begin(), of_supports.end());
+std::vector<result::FieldName> names_of(const std::vector<solve::NamedField>& fields) {
+  std::vector<result::FieldName> names;
+  for (const solve::NamedField& field : fields) names.push_back({field.name, field.unit});
   return names;
-}
-
-std::vector<double> global_values(const solve::Problem& problem, const solve::StepReport& r) {
-  std::vector<double> values = {r.load,
-                                r.seam,
-                                r.strain_energy,
-                                r.dissipated,
-                                r.dissipation_ratio,
-                                static_cast<double>(r.iterations),
-                                static_cast<double>(r.cut_backs),
-                                r.residual,
-                                r.undamped_residual,
-                                r.gap,
-                                static_cast<double>(r.negative_pivots),
-                                static_cast<double>(r.critical),
-                                r.undamped ? 1.0 : 0.0,
-                                r.seconds};
-  const std::vector<double> of_supports = torques(problem, r);
-  values.insert(values.end(), of_supports.begin(), of_supports.end());
-  return values;
-}
-
-result::FieldNames field_names(const solve::Problem& problem, bool with_body) {
-  result::FieldNames names;
-  if (with_body)
-    names.nodal = {{"pressure", "kPa"}, {"gap", "mm"}, {"normal_x", ""}, {"normal_y", ""}, {"normal_z", ""}};
-  names.nodal.push_back({"area", "mm^2"});
-  const std::vector<std::string> element_names = solve::element_field_names(problem);
-  for (size_t i = 0; i < element_names.size(); ++i) names.element.push_back({element_names[i], element_units[i]});
-  names.global = global_names(problem);
-  return names;
-}
-
-std::vector<double> concatenate(const solve::Fields& fields, size_t field) {
-  std::vector<double> all;
-  for (const auto& block : fields.element)
-    all.insert(all.end(), block[field].values.begin(), block[field].values.end());
-  return all;
-}
-
-std::vector<double> element_field(const solve::Fields& fields, const std::string& name) {
-  const auto& block = fields.element.at(0);
-  const auto field = std::find_if(block.begin(), block.end(), [&](const auto& f) { return f.name == name; });
-  return concatenate(fields, static_cast<size_t>(field - block.begin()));
 }
 
 /// [element] true where some nodes are held by a support and others are not.
@@ -115,7 +53,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   points_.resize(scene.output().points.size());
 }
 
-void Recorder::open_files() {
+void Recorder::open_files(const solve::StepReport& report) {
   for (const char* file :
        {"results.exo", "history.h5", "restart.h5", "pressure-levels.csv", "pressure-curve.csv", "points.csv"})
     std::filesystem::remove(folder_ + "/" + file);
@@ -124,15 +62,18 @@ void Recorder::open_files() {
       std::filesystem::remove(folder_ + "/" + plot + ending);
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
-  exodus_ =
-      std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
-                                             with_body ? &body_ : nullptr, field_names(scene_.problem(), with_body));
-  history_ = std::make_unique<result::History>(folder_ + "/history.h5", global_names(scene_.problem()));
+  result::FieldNames names;
+  names.nodal = names_of(solve::nodal_fields(scene_.problem(), fields_));
+  names.element = names_of(solve::element_fields(fields_));
+  names.global = names_of(solve::global_fields(scene_.problem(), report));
+  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/results.exo", scene_.garment().mesh,
+                                                   with_body ? &body_ : nullptr, names);
+  history_ = std::make_unique<result::History>(folder_ + "/history.h5", names.global);
 }
 
 void Recorder::step(const solve::StepReport& report, const solve::State& state) {
-  if (reports_.empty()) open_files();
   fields_ = solve::compute_fields(scene_.problem(), state);
+  if (reports_.empty()) open_files(report);
   reports_.push_back(report);
   for (size_t i = 0; i < distances_.size(); ++i) {
     const scene::Distance& d = scene_.output().distances[i];
@@ -142,33 +83,28 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
     const int node = scene_.output().points[i].node;
     points_[i].push_back(fields_.position[node] - scene_.garment().mesh.placed[node]);
   }
-  write_exodus(report);
-  history_->append(global_values(scene_.problem(), report));
+  write_fields(report);
   write_restart(report, state);
 }
 
-void Recorder::write_exodus(const solve::StepReport& report) {
+void Recorder::write_fields(const solve::StepReport& report) {
   result::StepData data;
-  const size_t nodes = fields_.position.size();
-  for (size_t n = 0; n < nodes; ++n) data.displacement.push_back(fields_.position[n] - scene_.garment().mesh.placed[n]);
-  data.nodal["area"] = fields_.area;
-  if (scene_.surface() != nullptr) {
-    std::vector<double> kpa(nodes);
-    std::transform(fields_.pressure.begin(), fields_.pressure.end(), kpa.begin(), base::mpa_to_kpa);
-    data.nodal["gap"] = fields_.gap;
-    for (size_t d = 0; d < 3; ++d) {
-      std::vector<double>& component = data.nodal[std::string("normal_") + "xyz"[d]];
-      for (size_t n = 0; n < nodes; ++n) component.push_back(fields_.normal[n][static_cast<Eigen::Index>(d)]);
-    }
-    data.body_nodal["pressure"] = result::map_to_body(scene_.garment().mesh, fields_.position, kpa, fields_.gap, body_);
-    data.nodal["pressure"] = std::move(kpa);
+  const mesh::Mesh& mesh = scene_.garment().mesh;
+  for (size_t n = 0; n < fields_.position.size(); ++n)
+    data.displacement.push_back(fields_.position[n] - mesh.placed[n]);
+  for (solve::NamedField& field : solve::nodal_fields(scene_.problem(), fields_)) {
+    if (field.on_body)
+      data.body_nodal[field.name] = result::map_to_body(mesh, fields_.position, field.values, fields_.gap, body_);
+    data.nodal[field.name] = std::move(field.values);
   }
-  for (size_t f = 0; f < fields_.element.at(0).size(); ++f)
-    data.element[fields_.element[0][f].name] = concatenate(fields_, f);
-  const std::vector<double> globals = global_values(scene_.problem(), report);
-  const std::vector<result::FieldName> names = global_names(scene_.problem());
-  for (size_t g = 0; g < globals.size(); ++g) data.global[names[g].name] = globals[g];
+  for (solve::NamedField& field : solve::element_fields(fields_)) data.element[field.name] = std::move(field.values);
+  std::vector<double> history;
+  for (const solve::NamedField& field : solve::global_fields(scene_.problem(), report)) {
+    data.global[field.name] = field.values.front();
+    history.push_back(field.values.front());
+  }
   exodus_->write_step(report.step, data);
+  history_->append(history);
 }
 
 void Recorder::write_restart(const solve::StepReport& report, const solve::State& state) const {
@@ -196,7 +132,7 @@ void Recorder::finish(base::Log& log) {
   if (scene_.surface() != nullptr && (output.stations > 0 || !output.levels.empty())) write_pressure(log);
   if (!output.force_curves.empty()) write_forces(log);
   if (!output.points.empty()) write_points();
-  if (!torque_names(scene_.problem()).empty()) write_torques(log);
+  if (any_turns(scene_.problem())) write_torques(log);
 }
 
 void Recorder::write_torques(base::Log& log) const {
@@ -224,11 +160,12 @@ void Recorder::write_points() const {
 
 void Recorder::write_pressure(base::Log& log) const {
   const scene::Output& output = scene_.output();
+  const std::vector<solve::NamedField> elements = solve::element_fields(fields_);
   const result::GarmentFields garment{&scene_.garment().mesh,
                                       fields_.position,
                                       fields_.pressure,
-                                      element_field(fields_, "tension_course"),
-                                      element_field(fields_, "cauchy_minor"),
+                                      solve::named(elements, "tension_course").values,
+                                      solve::named(elements, "cauchy_minor").values,
                                       elements_at_supports(scene_)};
   const result::Axis axis{output.axis_point, output.axis_direction};
   std::vector<result::LevelRow> curve, rows;

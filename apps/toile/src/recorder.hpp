@@ -29,8 +29,8 @@ class Recorder {
   const std::vector<solve::StepReport>& reports() const { return reports_; }
 
  private:
-  void open_files();
-  void write_exodus(const solve::StepReport& report);
+  void open_files(const solve::StepReport& report);
+  void write_fields(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;
   void write_forces(base::Log& log) const;

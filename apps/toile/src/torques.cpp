@@ -1,35 +1,19 @@
 #include "torques.hpp"
 
-#include <cctype>
+#include <algorithm>
 #include <cmath>
 
 namespace toile::app {
 
 namespace {
 
-/// A name that every reader of Exodus and HDF5 takes.
-std::string plain(std::string name) {
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
-}
-
 constexpr size_t first_column = 2;  // after step and load
 
 }  // namespace
 
-std::vector<result::FieldName> torque_names(const solve::Problem& problem) {
-  std::vector<result::FieldName> names;
-  for (const solve::Support& support : problem.supports)
-    if (support.turn) names.push_back({"torque_" + plain(support.name), "N mm"});
-  return names;
-}
-
-std::vector<double> torques(const solve::Problem& problem, const solve::StepReport& report) {
-  std::vector<double> values;
-  for (size_t s = 0; s < problem.supports.size(); ++s)
-    if (problem.supports[s].turn) values.push_back(report.balance.torque[s]);
-  return values;
+bool any_turns(const solve::Problem& problem) {
+  return std::any_of(problem.supports.begin(), problem.supports.end(),
+                     [](const solve::Support& support) { return support.turn.has_value(); });
 }
 
 result::Table torque_table(const solve::Problem& problem, const std::vector<solve::StepReport>& reports) {

@@ -19,7 +19,8 @@ void add_units(Texts& records, const char* kind, const std::vector<FieldName>& f
 }
 
 void put_units(const ExodusFile& file, const FieldNames& fields) {
-  Texts records = {"nodal disp [mm]", "nodal pattern [mm]"};
+  Texts records;
+  add_units(records, "nodal", geometry_fields());
   add_units(records, "nodal", fields.nodal);
   add_units(records, "element", fields.element);
   add_units(records, "element", fields.body_element);
@@ -114,7 +115,7 @@ Texts names_of(const std::vector<FieldName>& fields) {
 }
 
 Texts nodal_names(const FieldNames& fields) {
-  return with({"disp_x", "disp_y", "disp_z", "pattern_x", "pattern_y"}, names_of(fields.nodal));
+  return with(names_of(geometry_fields()), names_of(fields.nodal));
 }
 
 Texts element_names(const FieldNames& fields) {

@@ -10,20 +10,23 @@
 
 namespace toile::solve {
 
-/// One named field: a value per node (scalar or three components) or per element.
+/// A value a node, an element or a step.
 struct NamedField {
   std::string name;
+  std::string unit;  ///< empty: dimensionless
   std::vector<double> values;
+  bool on_body = false;  ///< nodal: also shown on the body
 };
 
-/// What is written of one state. Units are in the names' documentation (doc/user-guide.md).
+/// What is known of one state; output_fields.hpp makes of it what is written.
 struct Fields {
-  std::vector<Vec3> position;    ///< [node] mm
-  std::vector<double> pressure;  ///< [node] MPa per current mid-surface area; nodes of a seam share one value
-  std::vector<double> gap;       ///< [node] mm, of the fabric's contact surface; 0 without a body
-  std::vector<Vec3> normal;      ///< [node] of the body at the closest point
-  std::vector<double> area;      ///< [node] current area that belongs to the node alone, mm^2
-  /// [block] element means over the integration points: stretch_wale, stretch_course, ... (see fields.cpp's table)
+  std::vector<Vec3> position;         ///< [node] mm
+  std::vector<double> pressure;       ///< [node] MPa per current mid-surface area; nodes of a seam share one value
+  std::vector<double> contact_force;  ///< [node] N; nodes of a seam share theirs by area
+  std::vector<double> gap;            ///< [node] mm, of the fabric's contact surface; 0 without a body
+  std::vector<Vec3> normal;           ///< [node] of the body at the closest point
+  std::vector<double> area;           ///< [node] current area that belongs to the node alone, mm^2
+  /// [block] a value an element; the table is in element_fields.cpp
   std::vector<std::vector<NamedField>> element;
   /// [block] parts of the pattern's area that are taut, wrinkled and slack (material::WrinkleState).
   std::vector<std::array<double, 3>> wrinkle_shares;
@@ -40,8 +43,5 @@ Fields compute_fields(const Problem& problem, const State& state);
 /// Sum over the garment of pressure times area times normal of the written fields: what the garment feels of the body
 /// (N).
 Vec3 pressure_resultant(const Fields& fields);
-
-/// Names of the element fields, in their order; those of wrinkles only if a material of `problem` relaxes.
-std::vector<std::string> element_field_names(const Problem& problem);
 
 }  // namespace toile::solve
