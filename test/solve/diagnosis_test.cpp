@@ -120,6 +120,11 @@ TEST(Diagnosis, AdvisesWhatCanBeTried) {
               AllOf(HasSubstr("\"smallest step\" (now 0.0001)"), Not(HasSubstr("Damping"))));
   s.stepped = false;
   EXPECT_THAT(solve::likely_cause(s.failure()), IsEmpty());
+  s.left.total.force = 0.1;
+  EXPECT_THAT(
+      solve::likely_cause(s.failure()),
+      AllOf(HasSubstr("the start is far from an equilibrium. Its fabric is compressed most in panel \"panel0\""),
+            HasSubstr("it is stretched most in panel \"panel0\""), Not(HasSubstr("Damping"))));
   s.stage.damping.active = false;
   EXPECT_THAT(solve::likely_cause(s.failure()),
               AllOf(HasSubstr("the start is far from an equilibrium"), HasSubstr("\"Damping\"")));

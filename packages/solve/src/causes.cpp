@@ -126,8 +126,9 @@ std::string slides(const Failure& failure) {
   constexpr double noticeable = 0.01, along_the_body = 0.1, unbalanced = 0.01;
   const Problem& problem = failure.problem;
   if (problem.surface == nullptr || !problem.pressures.empty() || !failure.left.finite) return {};
-  // Forces that do not balance yet say nothing about what pushes the garment.
+  // Forces that do not balance yet, or that a strong damping takes up, say nothing about what pushes the garment.
   if (!failure.stepped && failure.left.total.relative() > unbalanced) return {};
+  if (!failure.stepped && failure.relaxing && failure.left.damping > 0.0) return {};
   const State& state = failure.stepped ? failure.last : failure.left.state;
   const std::vector<Vec3> loads = loads_of(problem, state.load);
   for (const std::vector<int>& part : connected_parts(problem)) {
@@ -170,6 +171,22 @@ std::string is_loose(const Failure& failure) {
          "narrower, or give the fabric \"compression\" = \"tension field\", which carries no compression";
 }
 
+/// Without a body a flat membrane without tension can be moved across itself by nothing.
+std::string has_no_tension(const Failure& failure) {
+  constexpr double unstretched = 1e-3;
+  if (failure.problem.surface != nullptr || failure.stepped) return {};
+  const auto is_membrane = [](const BlockLaw& law) { return !law.is_shell(); };
+  const std::vector<BlockLaw>& laws = failure.problem.laws;
+  if (std::none_of(laws.begin(), laws.end(), is_membrane)) return {};
+  const FabricState fabric = fabric_state(failure.problem, failure.start);
+  if (!fabric.most_stretched.found || fabric.most_stretched.stretch[0] > 1.0 + unstretched) return {};
+  return std::string(
+             "at its start the fabric carries no tension, and without tension a membrane has no stiffness across "
+             "itself. "
+             "Stretch it a little by its supports before it is loaded, or give the panel a list \"Shell\"") +
+         (failure.stage.damping.active ? "" : ", or the stage a list \"Damping\"");
+}
+
 std::string loses_ellipticity(const Failure& failure) {
   if (failure.stepped) {
     const LossOfEllipticity loss = find_loss_of_ellipticity(failure.problem, failure.last);
@@ -192,6 +209,8 @@ std::string still_converging(const Failure& failure) {
 }
 
 std::string far_from_equilibrium(const Failure& failure) {
+  constexpr double near = 1e-3;
+  if (failure.left.total.relative() < near) return {};
   const FabricState fabric = fabric_state(failure.problem, failure.start);
   if (!fabric.most_compressed.found) return {};
   return "the start is far from an equilibrium. Its fabric is compressed most in " + fabric.most_compressed.text() +
@@ -218,8 +237,8 @@ std::string nothing_known(const Failure& failure) {
 }  // namespace
 
 const std::vector<Cause>& causes() {
-  static const std::vector<Cause> all = {seam_through_body, starts_too_stretched, slides,       is_loose,
-                                         loses_ellipticity, still_converging,     nothing_known};
+  static const std::vector<Cause> all = {seam_through_body, starts_too_stretched, slides,           is_loose,
+                                         has_no_tension,    loses_ellipticity,    still_converging, nothing_known};
   return all;
 }
 

@@ -44,6 +44,7 @@ Remainder remainder_of(Equilibrium& equilibrium, const Attempt& attempt, double 
   }
   left.total = equilibrium.imbalance(f);
   left.s = attempt.s;
+  left.damping = damping;
   left.iterations = attempt.iterations;
   left.factorised = !equilibrium.linear().failed();
   left.finite = std::isfinite(left.total.force) && std::isfinite(left.total.gap);

@@ -12,6 +12,7 @@ struct Remainder {
   std::vector<double> opening;  ///< [cluster] mm, violation of contact
   Imbalance total;
   double s = 0.0;                ///< of the stage
+  double damping = 0.0;          ///< its coefficient
   int iterations = 0;            ///< Newton's of the attempt
   bool factorised = true;        ///< the last tangent could be factorised
   bool finite = true;            ///< residual and gap are numbers

@@ -77,6 +77,7 @@ std::vector<StageOptions> read_stages(const List& list) {
     s.type = type == "sew" ? StageType::sew : type == "load" ? StageType::load : StageType::settle;
     s.released = entry.words("release");
     s.most_time = entry.real("most time");
+    s.most_iterations = entry.integer("most iterations in all");
     if (s.type == StageType::load) {
       s.target = entry.real("target");
       s.arc_length = entry.word("continuation") == "arc length";
@@ -115,7 +116,12 @@ Spec solver_spec() {
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
       .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1))
       .real("most time", "s", "Time after which the run ends where it is, with its last converged state; 0: no limit.",
-            0.0, Range::at_least(0));
+            0.0, Range::at_least(0))
+      .integer(
+          "most iterations in all",
+          "Newton iterations of all steps, failed attempts and the search for the final state included, after which "
+          "the stage ends where it is.",
+          5000, Range::at_least(1));
 }
 
 SolverOptions read_solver(const List& list) {

@@ -42,6 +42,7 @@ class Watch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double most_time_;  ///< of the run, s; 0: no limit
   double stage_most_time_ = 0.0, stage_start_ = 0.0;
+  int stage_most_iterations_ = 0, iterations_ = 0;
   IterationReport report_;
   std::vector<double> residuals_;
   std::string stopped_;
