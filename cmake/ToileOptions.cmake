@@ -13,8 +13,10 @@ foreach(switch IN LISTS toile_cache)
       "(packages) and TOILE_ENABLE_TESTS, TOILE_ENABLE_BENCHMARKS; the other packages are always needed")
   endif()
 endforeach()
-option(TOILE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
-option(TOILE_NATIVE "Tune the code for the processor it is built on" ON)
+# Off for users: another compiler or processor may warn of what is none of theirs. CI switches it on.
+option(TOILE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(TOILE_PROCESSOR native CACHE STRING "Processor that the code is made for, as g++ -march names it: native (the one it \
+is built on), x86-64 (any), x86-64-v2, x86-64-v3 (AVX2), x86-64-v4 (AVX-512)")
 set(TOILE_SANITIZERS "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 
 add_library(toile_options INTERFACE)
@@ -25,10 +27,8 @@ if(TOILE_WARNINGS_AS_ERRORS)
 endif()
 # Options that the code depends on: plug-ins are compiled with them too.
 set(TOILE_CODE_OPTIONS "")
-if(TOILE_NATIVE)
-  # The ABI of Eigen types depends on the vector width: one setting for every target.
-  list(APPEND TOILE_CODE_OPTIONS -march=native)
-endif()
+# The ABI of Eigen types depends on the vector width: one setting for every target.
+list(APPEND TOILE_CODE_OPTIONS -march=${TOILE_PROCESSOR})
 if(TOILE_SANITIZERS)
   list(APPEND TOILE_CODE_OPTIONS -fsanitize=${TOILE_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_compile_options(toile_options INTERFACE -Wno-uninitialized)

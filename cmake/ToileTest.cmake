@@ -27,6 +27,10 @@ function(toile_test name)
     set(arg_TIMEOUT 300)
   endif()
   add_executable(${name} ${arg_SOURCES})
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    # What is measured is in the packages: the tests themselves need to compile quickly.
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
   # Every source of a test has small helpers of its own, whose names it need not share.
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   list(TRANSFORM arg_USES PREPEND toile_)

@@ -53,7 +53,7 @@ TEST_F(BadBody, MissingFile) {
 
 // A file that holds no surface.
 TEST_F(BadBody, DamagedFile) {
-  expect_refused("this is not a body\n", "cannot be read as obj");
+  expect_refused("this is not a body\n", "bodies/box.obj: line 1: the keyword 'this' is not known in an OBJ file");
 }
 
 // Three facets that meet in one edge.
@@ -87,9 +87,11 @@ TEST_F(BadBody, Open) {
 
 // A body in metres.
 TEST_F(BadBody, WrongUnit) {
-  expect_refused(obj(box, 5e-3),
-                 "the body is 2 mm high, allowed is 300 to 3000 mm; it looks like metres: set parameter "
-                 "\"scale\" = 1000");
+  expect_refused(
+      obj(box, 5e-3),
+      "the body is 2 mm high (z); allowed is 300 to 3000 mm. Its extents in x, y, z are 0.5 x 0.5 x 2 mm. The "
+      "file may be in feet with z up (152.4 x 152.4 x 609.6 mm): \"scale\" = 304.8; m with z up (500 x 500 x "
+      "2000 mm): \"scale\" = 1000: you have to know which.");
 }
 
 }  // namespace

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fstream>
+#include <iomanip>
+#include <random>
+#include <sstream>
 
 #include "body/meshes.hpp"
 #include "toile/base/error.hpp"
@@ -13,12 +17,14 @@
 namespace toile::body {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// For the bodies of these tests, which are smaller than a person's limb.
 ImportOptions small() {
   ImportOptions options;
   options.least_height = 50.0;
+  options.up_is_known = true;
   return options;
 }
 
@@ -55,7 +61,7 @@ double volume(const TriangleMesh& mesh) {
 }
 
 std::string write_text(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + "toile-import-" + name;
+  std::string path = testing::TempDir() + "toile-import-" + name;
   std::ofstream(path) << text;
   return path;
 }
@@ -114,22 +120,12 @@ TEST(Import, ReadsAllFormats) {
   }
 }
 
-// A missing file, an unknown extension and a damaged file are each named.
+// A missing file, a folder and an unknown extension are each named.
 TEST(Import, UnreadableFiles) {
   EXPECT_EQ(message("/no/where.obj"), "/no/where.obj: there is no such body file");
+  EXPECT_EQ(message("/tmp"), "/tmp: is not a file that can hold a body");
   const std::string odd = write_text("body.txt", "hello");
   EXPECT_EQ(message(odd), odd + ": a body file must end in .obj, .stl, .ply or .off, found '.txt'");
-  const std::string damaged = write_text("damaged.off", "OFF\n3 1 0\n0 0 0\n1 0");
-  const std::string why = " (no facets, corners that are not there, or damaged text)";
-  EXPECT_EQ(message(damaged), damaged + ": cannot be read as off" + why);
-  const std::string missing_corner = write_text("corner.obj", block_obj + "f 1 2 99\n");
-  EXPECT_EQ(message(missing_corner), missing_corner + ": cannot be read as obj" + why);
-  std::string ply = block_ply();
-  ply.replace(ply.rfind("4 3 0 4 7"), 9, "4 3 0 4 77");
-  const std::string damaged_ply = write_text("corner.ply", ply);
-  EXPECT_EQ(message(damaged_ply), damaged_ply + ": cannot be read as ply" + why);
-  const std::string empty = write_text("empty.stl", "");
-  EXPECT_EQ(message(empty), empty + ": cannot be read as stl" + why);
 }
 
 // More than two facets at an edge: the message counts the edges and says where the first is.
@@ -189,39 +185,62 @@ TEST(Import, InconsistentFacets) {
   EXPECT_NEAR(volume(import_body(file, options).mesh), volume(ball()), 1e-3);
 }
 
-// A body in metres is recognised, the message names the unit and the parameter, and that parameter mends it.
-TEST(Import, WrongUnit) {
-  const TriangleMesh mesh = ellipsoid(300.0, 800.0)->triangles(100.0);
+/// The ball stretched to these extents.
+TriangleMesh figure(const Vec3& extents) {
+  TriangleMesh mesh = ball();
+  Eigen::AlignedBox3d box;
+  for (const Vec3& v : mesh.vertices) box.extend(v);
+  for (Vec3& v : mesh.vertices) v = v.cwiseProduct(extents.cwiseQuotient(box.sizes()));
+  return mesh;
+}
+
+// A body whose height cannot be one is refused with all three extents and every unit that makes an allowed height of
+// it, never with one alone; the right scale mends it.
+TEST(Import, WrongUnitListsAllThatFit) {
+  const TriangleMesh mesh = figure({600.0, 600.0, 1700.0});
   const std::string metres = test::write_obj("metres", mesh, 1e-3);
-  EXPECT_EQ(message(metres, {}), metres +
-                                     ": the body is 1.6 mm high, allowed is 300 to 3000 mm; it looks like metres: set "
-                                     "parameter \"scale\" = 1000, or \"height range\" if the body is that small");
+  EXPECT_THAT(message(metres, {}), AllOf(HasSubstr(metres + ": the body is 1.7 mm high (z); allowed is 300 to 3000 mm. "
+                                                            "Its extents in x, y, z are 0.6 x 0.6 x 1.7 mm. "),
+                                         HasSubstr("feet with z up (182.9 x 182.9 x 518.2 mm): \"scale\" = 304.8; "
+                                                   "m with z up (600 x 600 x 1700 mm): \"scale\" = 1000: "),
+                                         HasSubstr("\"height range\"")));
   ImportOptions options;
   options.scale = 1000.0;
   EXPECT_NEAR(volume(import_body(metres, options).mesh) / volume(mesh), 1.0, 1e-12);
-  EXPECT_EQ(message(test::write_obj("huge", mesh, 1e3), {}),
-            testing::TempDir() +
-                "toile-body-huge.obj: the body is 1.6e+06 mm high, allowed is 300 to 3000 mm; z must be the height, "
-                "and parameter \"scale\" turns the unit of the file into mm; parameter \"height range\" says what is "
-                "allowed");
+  EXPECT_THAT(message(test::write_obj("inches", mesh, 1.0 / 25.4), {}),
+              AllOf(HasSubstr("cm with z up (236.2 x 236.2 x 669.3 mm): \"scale\" = 10; "),
+                    HasSubstr("inches with z up (600 x 600 x 1700 mm): \"scale\" = 25.4")));
+  options.scale = 1e4;
+  EXPECT_THAT(message(metres, options),
+              AllOf(HasSubstr("6000 x 6000 x 1.7e+04 mm after \"scale\" and \"up\""), HasSubstr("\"scale\" = 1000:")));
+  EXPECT_THAT(message(test::write_obj("huge", mesh, 1e6), {}), HasSubstr("No usual unit makes a body of it. "));
 }
 
-// A person and a leg in centimetres are recognised by default, the message names the scale, and that scale mends them.
-TEST(Import, Centimetres) {
-  for (const double half_height : {850.0, 400.0}) {
-    const std::string file = test::write_obj("centimetres", ellipsoid(100.0, half_height)->triangles(50.0), 0.1);
-    EXPECT_THAT(message(file, {}), HasSubstr("allowed is 300 to 3000 mm; it looks like centimetres: set parameter "
-                                             "\"scale\" = 10, or \"height range\""));
-    ImportOptions options;
-    options.scale = 10.0;
-    EXPECT_EQ(message(file, options), "");
-  }
+// A body with y up is not taken for a low one; with "up" it is turned, not mirrored, and its height is along z.
+TEST(Import, YUp) {
+  const TriangleMesh lying = figure({400.0, 1700.0, 320.0});
+  const std::string file = test::write_obj("y-up", lying);
+  EXPECT_THAT(message(file, {}), AllOf(HasSubstr("it seems to lie, for y is the longest"),
+                                       HasSubstr("mm with y up (400 x 320 x 1700 mm): \"scale\" = 1, \"up\" = \"y\"")));
+  ImportOptions options;
+  options.up_is_known = true;
+  EXPECT_EQ(message(file, options), "") << "a low body that its user knows of";
+  options.up = Axis::y;
+  const Import turned = import_body(file, options);
+  EXPECT_NEAR(turned.extents.z(), 1700.0, 1e-9);
+  EXPECT_NEAR(turned.extents.y(), 320.0, 1e-9);
+  EXPECT_NEAR(volume(turned.mesh) / volume(lying), 1.0, 1e-12);
+  options.up = Axis::x;
+  options.greatest_height = 3000.0;
+  const Import other = import_body(file, options);
+  EXPECT_NEAR(other.extents.z(), 400.0, 1e-9);
+  EXPECT_NEAR(volume(other.mesh) / volume(lying), 1.0, 1e-12);
 }
 
 // A body of 200 mm, as for a sleeve on a forearm, is accepted when the range of heights says so, and only then.
 TEST(Import, SmallBodyNeedsItsRange) {
   const std::string file = test::write_obj("forearm", ellipsoid(40.0, 100.0)->triangles(10.0));
-  EXPECT_THAT(message(file, {}), HasSubstr("\"height range\" if the body is that small"));
+  EXPECT_THAT(message(file, {}), HasSubstr("\"height range\" what is allowed"));
   ImportOptions options;
   options.least_height = 150.0;
   EXPECT_EQ(message(file, options), "");
@@ -239,6 +258,129 @@ TEST(Import, DegenerateAndIntersectingFacets) {
   const TriangleMesh two = twins(Vec3(50.0, 3.0, 1.0));
   EXPECT_THAT(import_body(test::write_obj("two", two), small()).notes,
               testing::ContainsRegex("warning: [0-9]+ pairs of facets intersect"));
+}
+
+/// The ball and inside it its copy of half the size, which looks inwards or outwards.
+TriangleMesh hollow(bool inwards) {
+  TriangleMesh mesh = twins(Vec3::Zero());
+  const std::size_t n = mesh.vertices.size() / 2, m = mesh.triangles.size() / 2;
+  for (std::size_t i = n; i < 2 * n; ++i) mesh.vertices[i] *= 0.5;
+  for (std::size_t t = m; t < 2 * m && inwards; ++t) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  return mesh;
+}
+
+// A closed piece inside another is left out and told, whichever way it looks, and never turned to the outside.
+TEST(Import, NestedPiecesAreLeftOut) {
+  for (const bool repair : {false, true}) {
+    ImportOptions options = small();
+    options.repair_orientation = repair;
+    const Import cavity = import_body(test::write_obj("hollow", hollow(true)), options);
+    EXPECT_NEAR(volume(cavity.mesh), volume(ball()), 1e-3);
+    EXPECT_EQ(cavity.notes, "1 pieces inside another left out (1 cavities, whose facets look inwards)");
+    const Import solid = import_body(test::write_obj("filled", hollow(false)), options);
+    EXPECT_NEAR(volume(solid.mesh), volume(ball()), 1e-3);
+    EXPECT_EQ(solid.notes, "1 pieces inside another left out (0 cavities, whose facets look inwards)");
+  }
+}
+
+// Of two tubes with open ends, one in the other, the outer one is the body; beside each other both are.
+TEST(Import, NestedTubes) {
+  const TriangleMesh outer = test::random_triangulation(test::elliptic_tube(80.0, 60.0, 160.0), 10.0, 1);
+  ImportOptions options = small();
+  options.closed = false;
+  for (const bool inside : {true, false}) {
+    TriangleMesh mesh = outer;
+    const int n = static_cast<int>(outer.vertices.size());
+    for (const Vec3& v : outer.vertices) {
+      mesh.vertices.push_back(inside ? v.cwiseProduct(Vec3(0.8, 0.8, 1.0)) : Vec3(v + Vec3(170.0, 0.0, 0.0)));
+    }
+    for (const auto& t : outer.triangles) {
+      mesh.triangles.push_back(inside ? std::array{t[1] + n, t[0] + n, t[2] + n}
+                                      : std::array{t[0] + n, t[1] + n, t[2] + n});
+    }
+    const Import import = import_body(test::write_obj("two-tubes", mesh), options);
+    EXPECT_EQ(import.mesh.triangles.size(), outer.triangles.size() * (inside ? 1 : 2));
+    EXPECT_EQ(import.notes, inside ? "1 pieces inside another left out (1 cavities, whose facets look inwards)" : "");
+  }
+}
+
+/// Writes the ball as text STL, each copy of a vertex moved by up to `shift`.
+std::string write_rounded_stl(const std::string& name, double shift) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(-shift, shift);
+  std::ostringstream text;
+  text << std::setprecision(17) << "solid ball\n";
+  const TriangleMesh mesh = ball();
+  for (const auto& t : mesh.triangles) {
+    text << "facet normal 0 0 0\nouter loop\n";
+    for (const int i : t) {
+      const Vec3 v = mesh.vertices[i] + Vec3(part(random), part(random), part(random));
+      text << "vertex " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+    }
+    text << "endloop\nendfacet\n";
+  }
+  return write_text(name, text.str() + "endsolid ball\n");
+}
+
+// Copies of one vertex that differ in the last digits are welded and told; copies further apart are named together with
+// the parameter that welds them.
+TEST(Import, NearCopiesAreWelded) {
+  const std::size_t facets = ball().triangles.size();
+  const Import close = import_body(write_rounded_stl("close.stl", 2e-6), small());
+  EXPECT_EQ(close.mesh.triangles.size(), facets);
+  EXPECT_EQ(close.mesh.vertices.size(), ball().vertices.size());
+  EXPECT_THAT(close.notes, HasSubstr(" vertices welded that were up to "));
+  const std::string file = write_rounded_stl("far.stl", 0.02);
+  EXPECT_THAT(message(file), AllOf(HasSubstr("the surface is open, it has a border"),
+                                   HasSubstr("vertices on borders nearly coincide with another one (up to 0.0"),
+                                   HasSubstr("Parameter \"weld\" = 0.0")));
+  ImportOptions options = small();
+  options.weld = 0.08;
+  EXPECT_EQ(import_body(file, options).mesh.vertices.size(), ball().vertices.size());
+}
+
+/// Cylinder as a CAD program exports it: vertices on the rims alone.
+TriangleMesh cad_tube(int segments, double radius, double height) {
+  TriangleMesh mesh;
+  for (int i = 0; i < segments; ++i) {
+    const double angle = 2.0 * M_PI * i / segments;
+    const int a = 2 * i, b = 2 * ((i + 1) % segments);
+    for (const double z : {0.0, height}) mesh.vertices.emplace_back(radius * cos(angle), radius * sin(angle), z);
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+  }
+  return mesh;
+}
+
+double area(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    sum += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+  }
+  return sum;
+}
+
+// Triangles as long as the body get vertices all along it, without a gap and on the same surface; a mesh whose
+// triangles are about as wide as long stays as it is.
+TEST(SplitLongTriangles, LeavesVerticesAllAlong) {
+  const TriangleMesh before = cad_tube(72, 60.0, 400.0);
+  TriangleMesh mesh = before;
+  split_long_triangles(&mesh);
+  EXPECT_NEAR(area(mesh) / area(before), 1.0, 1e-12);
+  ImportOptions options;
+  options.closed = false;
+  EXPECT_EQ(import_body(test::write_obj("cad", mesh), options).notes, "") << "still one surface without gaps";
+  std::vector<double> heights;
+  for (const Vec3& v : mesh.vertices) {
+    if (std::hypot(v.x() - 60.0, v.y()) < 1e-9) heights.push_back(v.z());
+  }
+  std::sort(heights.begin(), heights.end());
+  for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_LT(heights[i] - heights[i - 1], 4.0 * 5.24);
+  TriangleMesh regular = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 20.0, 1);
+  const std::size_t facets = regular.triangles.size();
+  split_long_triangles(&regular);
+  EXPECT_EQ(regular.triangles.size(), facets);
 }
 
 // Only triangles in the box stay; with a seed only the piece nearest to it.

@@ -81,8 +81,13 @@ TEST(MakeSurface, BuildsFromFile) {
   EXPECT_LT(part->triangles(1.0).triangles.size(), whole->triangles(1.0).triangles.size() / 2);
   EXPECT_THAT(part->summary(), HasSubstr("toile-body-tube.obj: "));
   EXPECT_THAT(part->summary(), HasSubstr("mm root mean square"));
-  const SurfacePtr facets = from_xml(list + text("surface", "facets"));
-  EXPECT_THAT(facets->summary(), HasSubstr("bare facets"));
+  EXPECT_THAT(part->summary(), HasSubstr("160 x 100 x 160 mm, "));
+}
+
+// Bare facets, on which nothing converges, are refused with the reason.
+TEST(MakeSurface, BareFacetsAreRefused) {
+  EXPECT_THAT(message(text("type", "file") + text("file", "any.obj") + text("surface", "facets")),
+              HasSubstr("parameter \"surface\" = \"facets\": bare facets are refused: without friction"));
 }
 
 // The list's own Reach goes before the garment's region, and a seed picks one of several pieces.

@@ -35,14 +35,30 @@ Spec file_spec() {
   spec.word("file", "Path of the file, from the folder of the scene.");
   spec.real("scale", "", "Factor that turns the coordinates of the file into mm (1000 for metres).", 1.0,
             Range::positive());
+  spec.choice(
+      "up",
+      "Axis of the file that is the height; it becomes z, with y up x stays. If this or \"height range\" is given, a "
+      "body that is much wider than high is accepted as well.",
+      {"x", "y", "z"}, std::string("z"));
   spec.reals(
       "height range", "mm",
       "Smallest and largest allowed height (extent in z) after scaling; guards against a wrong unit. A body that "
       "is smaller than 300 mm in truth (a wrist, a head) needs a range of its own.",
       Reals{300.0, 3000.0}, Range::non_negative());
   spec.flag("closed", "true: the surface must have no border; false: a tube with open ends is meant.", true);
-  spec.flag("repair orientation", "true: a body whose facets look inwards is turned; false: it is refused.", false);
-  spec.choice("surface", "What the fabric lies on: a smooth surface fitted to the facets, or the facets (to compare).",
+  spec.flag("repair orientation",
+            "true: a body whose facets look inwards is turned; false: it is refused. Closed pieces inside another one "
+            "(cavities) are left out in any case.",
+            false);
+  spec.real(
+      "weld", "mm",
+      "Vertices on borders (of an STL: copies of one vertex) that are no further apart become one. 0: 1e-5 of the "
+      "diagonal of the body, at most 2 % of the border's edges.",
+      0.0, Range::non_negative());
+  spec.choice("surface",
+              "What the fabric lies on: a smooth surface fitted to the facets. The facets themselves are refused: "
+              "without friction, fabric comes to rest on their edges, where the normal jumps and no iteration "
+              "converges.",
               {"smooth", "facets"}, std::string("smooth"));
   spec.real("cell", "mm",
             "Cell of the smooth surface. 0: from the mean edge length: 7 for edges of 5-12 mm, above that 0.55 edges.",

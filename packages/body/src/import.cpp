@@ -1,7 +1,6 @@
 #include "toile/body/import.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -11,10 +10,14 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <sstream>
 
+#include "body_file.hpp"
 #include "import_checks.hpp"
+#include "nested.hpp"
 #include "toile/base/error.hpp"
+#include "up_axis.hpp"
+#include "weld.hpp"
 
 namespace toile::body {
 namespace {
@@ -29,43 +32,31 @@ struct CgalSoup {
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-CgalSoup read_soup(const std::string& file) {
-  namespace fs = std::filesystem;
-  if (!fs::is_regular_file(file)) {
-    throw base::InputError(file + ": there is no such body file");
-  }
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (extension != ".obj" && extension != ".stl" && extension != ".ply" && extension != ".off") {
-    throw base::InputError(file + ": a body file must end in .obj, .stl, .ply or .off, found '" + extension + "'");
-  }
+CgalSoup to_cgal(PolygonSoup&& plain) {
   CgalSoup soup;
-  const bool read = CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  const auto is_damaged = [&soup](const std::vector<std::size_t>& polygon) {
-    return std::any_of(polygon.begin(), polygon.end(), [&](std::size_t i) { return i >= soup.points.size(); });
-  };
-  if (!read || soup.polygons.empty() || std::any_of(soup.polygons.begin(), soup.polygons.end(), is_damaged)) {
-    throw base::InputError(file + ": cannot be read as " + extension.substr(1) +
-                           " (no facets, corners that are not there, or damaged text)");
+  soup.polygons = std::move(plain.polygons);
+  soup.points.reserve(plain.points.size());
+  for (const Vec3& p : plain.points) {
+    soup.points.emplace_back(p.x(), p.y(), p.z());
   }
   return soup;
 }
 
-PolygonSoup to_plain(const CgalSoup& soup, double scale) {
+PolygonSoup to_plain(CgalSoup&& soup) {
   PolygonSoup plain;
-  plain.polygons = soup.polygons;
+  plain.polygons = std::move(soup.polygons);
+  plain.points.reserve(soup.points.size());
   for (const Point& p : soup.points) {
-    plain.points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    plain.points.emplace_back(p.x(), p.y(), p.z());
   }
   return plain;
 }
 
-TriangleMesh to_triangles(const Mesh& mesh, double scale) {
+TriangleMesh to_triangles(const Mesh& mesh) {
   TriangleMesh result;
   for (const auto v : mesh.vertices()) {
     const Point& p = mesh.point(v);
-    result.vertices.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    result.vertices.emplace_back(p.x(), p.y(), p.z());
   }
   for (const auto f : mesh.faces()) {
     std::array<int, 3> corners{};
@@ -82,27 +73,47 @@ void note(const std::string& text, std::string* notes) {
   *notes += (notes->empty() ? "" : ", ") + text;
 }
 
-/// Facets with fewer than three different corners, and repeated points and facets.
-void clean(CgalSoup* soup, std::string* notes) {
-  pmp::merge_duplicate_points_in_polygon_soup(soup->points, soup->polygons);
-  const std::size_t before = soup->polygons.size();
-  pmp::repair_polygon_soup(soup->points, soup->polygons);
-  if (soup->polygons.size() < before) {
-    note(std::to_string(before - soup->polygons.size()) + " degenerate or repeated facets removed", notes);
-  }
+/// Removes facets with fewer than three different corners, and repeated points and facets; returns how many facets.
+std::size_t clean(PolygonSoup* plain) {
+  const std::size_t before = plain->polygons.size();
+  CgalSoup soup = to_cgal(std::move(*plain));
+  pmp::repair_polygon_soup(soup.points, soup.polygons);
+  *plain = to_plain(std::move(soup));
+  return before - plain->polygons.size();
 }
 
-Mesh build(const std::string& file, CgalSoup* soup, std::string* notes) {
-  const std::size_t points = soup->points.size();
-  pmp::orient_polygon_soup(soup->points, soup->polygons);
-  if (soup->points.size() > points) {
-    note(std::to_string(soup->points.size() - points) + " vertices where two parts only touch were doubled", notes);
+/// Vertices on borders that were rounded differently in different facets become one.
+void weld(const ImportOptions& options, PolygonSoup* soup, std::string* notes) {
+  constexpr double part_of_diagonal = 1e-5, part_of_edge = 0.02;
+  const double edge = mean_border_edge(*soup);
+  const double distance =
+      options.weld > 0.0 ? options.weld : std::min(part_of_diagonal * extents(*soup).norm(), part_of_edge * edge);
+  const NearCopies copies = near_copies(soup, distance, true);
+  if (copies.count == 0) {
+    return;
   }
-  if (!pmp::is_polygon_soup_a_polygon_mesh(soup->polygons)) {
+  const std::size_t collapsed = clean(soup);
+  std::ostringstream text;
+  text.precision(2);
+  text << copies.count << " vertices welded that were up to " << copies.largest << " mm apart (allowed " << distance
+       << " mm)";
+  if (collapsed > 0) {
+    text << ", with them " << collapsed << " facets";
+  }
+  note(text.str(), notes);
+}
+
+Mesh build(const std::string& file, CgalSoup soup, std::string* notes) {
+  const std::size_t points = soup.points.size();
+  pmp::orient_polygon_soup(soup.points, soup.polygons);
+  if (soup.points.size() > points) {
+    note(std::to_string(soup.points.size() - points) + " vertices where two parts only touch were doubled", notes);
+  }
+  if (!pmp::is_polygon_soup_a_polygon_mesh(soup.polygons)) {
     throw base::InputError(file + ": the facets do not form a surface");
   }
   Mesh mesh;
-  pmp::polygon_soup_to_polygon_mesh(soup->points, soup->polygons, mesh);
+  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   if (!pmp::triangulate_faces(mesh)) {
     throw base::InputError(file + ": a facet with more than three corners cannot be cut into triangles");
   }
@@ -120,17 +131,31 @@ Mesh build(const std::string& file, CgalSoup* soup, std::string* notes) {
 
 Import import_body(const std::string& file, const ImportOptions& options) {
   Import result;
-  CgalSoup soup = read_soup(file);
-  clean(&soup, &result.notes);
-  const PolygonSoup plain = to_plain(soup, options.scale);
-  check_height(file, plain, options);
-  check_manifold(file, plain);
-  if (options.closed) {
-    check_closed(file, plain);
+  BodyFile read = read_body_file(file);
+  PolygonSoup soup = std::move(read.soup);
+  result.notes = std::move(read.notes);
+  for (Vec3& point : soup.points) {
+    point = options.scale * turned_up(point, options.up);
   }
-  const bool was_consistent = check_consistent(file, plain, options);
-  Mesh mesh = build(file, &soup, &result.notes);
-  result.mesh = to_triangles(mesh, options.scale);
+  check_extents(file, soup, options);
+  result.extents = extents(soup);
+  if (const std::size_t removed = clean(&soup); removed > 0) {
+    note(std::to_string(removed) + " degenerate or repeated facets removed", &result.notes);
+  }
+  weld(options, &soup, &result.notes);
+  check_manifold(file, soup);
+  if (options.closed) {
+    check_closed(file, soup);
+  }
+  const bool was_consistent = check_consistent(file, soup, options);
+  const Mesh mesh = build(file, to_cgal(std::move(soup)), &result.notes);
+  result.mesh = to_triangles(mesh);
+  const Nested nested = drop_nested(&result.mesh);
+  if (nested.cavities + nested.solids > 0) {
+    note(std::to_string(nested.cavities + nested.solids) + " pieces inside another left out (" +
+             std::to_string(nested.cavities) + " cavities, whose facets look inwards)",
+         &result.notes);
+  }
   const int turned = orient_outwards(file, options, &result.mesh);
   if (!was_consistent || turned > 0) {
     note("orientation repaired", &result.notes);

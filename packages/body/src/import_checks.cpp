@@ -1,12 +1,14 @@
 #include "import_checks.hpp"
 
 #include <Eigen/Geometry>
-#include <map>
+#include <algorithm>
 #include <sstream>
 
 #include "mesh_geometry.hpp"
-#include "pieces.hpp"
+#include "nested.hpp"
 #include "toile/base/error.hpp"
+#include "up_axis.hpp"
+#include "weld.hpp"
 
 namespace toile::body {
 namespace {
@@ -36,31 +38,95 @@ void refuse_edges(const std::string& file, const PolygonSoup& soup, const std::s
   }
 }
 
+/// The three axes of the file that a height may lie along, the longest first, as (name, length, the other lengths).
+struct Reading {
+  const char* up;
+  Vec3 lengths;  ///< height last, unit of the file
+};
+
+std::vector<Reading> readings(const Vec3& lengths, const ImportOptions& options) {
+  const Vec3 raw = in_axes_of_file(lengths, options.up).cwiseAbs() / options.scale;
+  std::vector<Reading> result;
+  for (const auto& [name, up] : {std::pair("z", Axis::z), {"y", Axis::y}, {"x", Axis::x}}) {
+    if (!options.up_is_known || up == options.up) {
+      result.push_back({name, turned_up(raw, up).cwiseAbs()});
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Reading& a, const Reading& b) { return a.lengths.z() > b.lengths.z(); });
+  return result;
+}
+
+/// Every unit and height axis that give an allowed height: a wrong one must not be the only answer.
+std::string possible_units(const Vec3& lengths, const ImportOptions& options) {
+  struct Unit {
+    const char* name;
+    double mm;
+  };
+  std::ostringstream text;
+  text.precision(4);
+  for (const Reading& reading : readings(lengths, options)) {
+    const double widest = std::max(reading.lengths.x(), reading.lengths.y());
+    if (widest > 1.5 * reading.lengths.z()) {
+      continue;
+    }
+    for (const Unit& unit : {Unit{"mm", 1.0}, {"cm", 10.0}, {"inches", 25.4}, {"feet", 304.8}, {"m", 1000.0}}) {
+      const double height = unit.mm * reading.lengths.z();
+      if (height >= options.least_height && height <= options.greatest_height) {
+        text << (text.str().empty() ? "" : "; ") << unit.name << " with " << reading.up << " up ("
+             << shown_extents(unit.mm * reading.lengths) << " mm): \"scale\" = " << unit.mm;
+        if (std::string(reading.up) != "z") {
+          text << ", \"up\" = \"" << reading.up << "\"";
+        }
+      }
+    }
+  }
+  return text.str().empty() ? "No usual unit makes a body of it. "
+                            : "The file may be in " + text.str() + ": you have to know which. ";
+}
+
 }  // namespace
 
-void check_height(const std::string& file, const PolygonSoup& soup, const ImportOptions& options) {
-  double lower = HUGE_VAL;
-  double upper = -HUGE_VAL;
-  for (const Vec3& point : soup.points) {
-    lower = std::min(lower, point.z());
-    upper = std::max(upper, point.z());
+Vec3 extents(const PolygonSoup& soup) {
+  Eigen::AlignedBox3d box;
+  for (const auto& polygon : soup.polygons) {
+    for (const std::size_t corner : polygon) {
+      box.extend(soup.points[corner]);
+    }
   }
-  const double height = upper - lower;
-  if (height >= options.least_height && height <= options.greatest_height) {
+  return box.sizes();
+}
+
+std::string shown_extents(const Vec3& lengths) {
+  std::ostringstream text;
+  text.precision(4);
+  text << lengths.x() << " x " << lengths.y() << " x " << lengths.z();
+  return text.str();
+}
+
+void check_extents(const std::string& file, const PolygonSoup& soup, const ImportOptions& options) {
+  constexpr double lying = 1.5;  // a standing body with its arms spread is hardly wider than high
+  constexpr double far = 10.0;   // of the greatest height: something lies beside the body
+  const Vec3 lengths = extents(soup);
+  const double height = lengths.z(), widest = std::max(lengths.x(), lengths.y());
+  const bool is_high = height >= options.least_height && height <= options.greatest_height;
+  const bool may_lie = options.up_is_known || widest <= lying * height;
+  if (is_high && may_lie && widest <= far * options.greatest_height) {
     return;
   }
   std::ostringstream text;
-  text << file << ": the body is " << height << " mm high, allowed is " << options.least_height << " to "
-       << options.greatest_height << " mm";
-  for (const auto& [factor, unit] : {std::pair(1000.0, "metres"), std::pair(10.0, "centimetres")}) {
-    if (height * factor >= 300.0 && height * factor <= 2500.0) {
-      text << "; it looks like " << unit << ": set parameter \"scale\" = " << factor * options.scale
-           << ", or \"height range\" if the body is that small";
-      throw base::InputError(text.str());
-    }
+  text.precision(4);
+  text << file << ": the body is " << height << " mm high (z); allowed is " << options.least_height << " to "
+       << options.greatest_height << " mm. Its extents in x, y, z are " << shown_extents(lengths) << " mm";
+  if (options.scale != 1.0 || options.up != Axis::z) {
+    text << " after \"scale\" and \"up\"";
   }
-  text << "; z must be the height, and parameter \"scale\" turns the unit of the file into mm; "
-          "parameter \"height range\" says what is allowed";
+  if (!may_lie) {
+    text << "; it seems to lie, for " << (lengths.x() > lengths.y() ? "x" : "y") << " is the longest";
+  }
+  text << ". " << possible_units(lengths, options)
+       << "Parameter \"scale\" turns the unit of the file into mm, \"up\" says which axis of the file is the height"
+          " (\"up\" = \"z\": it is z, though it is not the longest), \"height range\" what is allowed";
   throw base::InputError(text.str());
 }
 
@@ -69,9 +135,19 @@ void check_manifold(const std::string& file, const PolygonSoup& soup) {
                [](const MeshEdge& edge) { return edge.count() > 2; });
 }
 
-void check_closed(const std::string& file, const PolygonSoup& soup) {
-  refuse_edges(file, soup, "the surface is open, it has a border",
-               "Close it, or set parameter \"closed\" = false if a tube with open ends is meant.",
+void check_closed(const std::string& file, PolygonSoup soup) {
+  constexpr double near = 0.05;  // of the border's edges
+  const NearCopies copies = near_copies(&soup, near * mean_border_edge(soup), false);
+  std::ostringstream remedy;
+  if (copies.count > 0) {
+    remedy.precision(2);
+    remedy << copies.count << " of the " << copies.border
+           << " vertices on borders nearly coincide with another one (up to " << copies.largest
+           << " mm apart): they may be copies of one vertex that were rounded differently. Parameter "
+           << "\"weld\" = " << 1.1 * copies.largest << " makes them one. ";
+  }
+  remedy << "Close it, or set parameter \"closed\" = false if a tube with open ends is meant.";
+  refuse_edges(file, soup, "the surface is open, it has a border", remedy.str(),
                [](const MeshEdge& edge) { return edge.count() == 1; });
 }
 
@@ -87,30 +163,18 @@ bool check_consistent(const std::string& file, const PolygonSoup& soup, const Im
 }
 
 int orient_outwards(const std::string& file, const ImportOptions& options, TriangleMesh* mesh) {
-  Pieces pieces(mesh->vertices.size(), mesh->triangles);
-  std::map<int, std::pair<Vec3, int>> centres;
-  for (const auto& t : mesh->triangles) {
-    auto& [sum, count] = centres.try_emplace(pieces.of(t), Vec3::Zero(), 0).first->second;
-    sum += mesh->vertices[t[0]] + mesh->vertices[t[1]] + mesh->vertices[t[2]];
-    count += 3;
-  }
-  // Seen from its own centre, a tube with open ends has a signed volume as well.
-  std::map<int, double> volumes;
-  for (const auto& t : mesh->triangles) {
-    const int piece = pieces.of(t);
-    const Vec3 centre = centres.at(piece).first / centres.at(piece).second;
-    const Vec3 &a = mesh->vertices[t[0]], &b = mesh->vertices[t[1]], &c = mesh->vertices[t[2]];
-    volumes[piece] += (a - centre).dot((b - centre).cross(c - centre)) / 6.0;
-  }
-  const auto reversed = std::count_if(volumes.begin(), volumes.end(), [](const auto& v) { return v.second < 0.0; });
+  int pieces = 0;
+  const std::vector<int> piece = number_pieces(*mesh, &pieces);
+  const std::vector<double> volumes = signed_volumes(*mesh, piece, pieces);
+  const auto reversed = std::count_if(volumes.begin(), volumes.end(), [](double volume) { return volume < 0.0; });
   if (reversed > 0 && !options.repair_orientation) {
     throw base::InputError(file + ": the body is reversed (inside-out): the facets of " + std::to_string(reversed) +
-                           " of " + std::to_string(volumes.size()) +
+                           " of " + std::to_string(pieces) +
                            " connected pieces look inwards. Parameter \"repair orientation\" = true turns them.");
   }
-  for (auto& t : mesh->triangles) {
-    if (volumes.at(pieces.of(t)) < 0.0) {
-      std::swap(t[1], t[2]);
+  for (std::size_t t = 0; t < piece.size(); ++t) {
+    if (volumes[piece[t]] < 0.0) {
+      std::swap(mesh->triangles[t][1], mesh->triangles[t][2]);
     }
   }
   return static_cast<int>(reversed);

@@ -1,22 +1,22 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "polygon_soup.hpp"
 #include "toile/body/import.hpp"
 
 namespace toile::body {
 
-/// Polygons over shared points, mm.
-struct PolygonSoup {
-  std::vector<Vec3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
+/// Lengths of the box round the corners of all polygons, mm.
+Vec3 extents(const PolygonSoup& soup);
+/// "120 x 80 x 1700 mm".
+std::string shown_extents(const Vec3& lengths);
 
 /// Each throws InputError with the file, what was found, where, and what can be done.
-void check_height(const std::string& file, const PolygonSoup& soup, const ImportOptions& options);
+/// The height along z, and what hints at a wrong unit or at a body that lies.
+void check_extents(const std::string& file, const PolygonSoup& soup, const ImportOptions& options);
 void check_manifold(const std::string& file, const PolygonSoup& soup);
-void check_closed(const std::string& file, const PolygonSoup& soup);
+void check_closed(const std::string& file, PolygonSoup soup);
 
 /// Whether neighbours run through their common edge in opposite directions; an error if not, unless repair is asked
 /// for.

@@ -103,7 +103,8 @@ bool LevelSetSurface::solve(const Vec3& point, Vec3* y, double* mu, SplineField:
     jacobian.bottomLeftCorner<1, 3>() = field->gradient.transpose();
     jacobian(3, 3) = 0.0;
     Eigen::Vector4d right;
-    right << point - *y - *mu * field->gradient, -field->value;
+    right.head<3>() = point - *y - *mu * field->gradient;
+    right[3] = -field->value;
     const Eigen::Vector4d step = jacobian.partialPivLu().solve(right);
     *y += step.head<3>();
     *mu += step[3];

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "import_checks.hpp"
 #include "toile/body/body.hpp"
 #include "toile/body/import.hpp"
 #include "toile/body/level_set.hpp"
@@ -102,11 +103,20 @@ ImportOptions read_import_options(const List& list) {
   options.greatest_height = heights[1];
   options.closed = list.flag("closed");
   options.repair_orientation = list.flag("repair orientation");
+  options.weld = list.real("weld");
+  const std::string& up = list.word("up");
+  options.up = up == "x" ? Axis::x : up == "y" ? Axis::y : Axis::z;
+  options.up_is_known = list.given("up") || list.given("height range");
   return options;
 }
 
 SurfacePtr make_imported(const List& list, const Region* region) {
   namespace fs = std::filesystem;
+  if (list.word("surface") == "facets") {
+    list.fail("surface",
+              "bare facets are refused: without friction, fabric comes to rest on the edges between them, where the "
+              "normal jumps, so that no iteration converges; \"smooth\" fits a surface without edges to them");
+  }
   const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
   Import import = import_body(file, read_import_options(list));
   Region reach;
@@ -118,18 +128,17 @@ SurfacePtr make_imported(const List& list, const Region* region) {
     reach = *region;
     source = " of the panels";
   }
+  split_long_triangles(&import.mesh);
   const std::size_t all = import.mesh.triangles.size();
   TriangleMesh mesh = clip(import.mesh, reach);
   if (mesh.triangles.empty()) {
     list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
   }
-  std::string name = fs::path(file).filename().string() + ": " + std::to_string(mesh.triangles.size()) + " of " +
-                     std::to_string(all) + " triangles in reach" + source;
+  std::string name = fs::path(file).filename().string() + ": " + shown_extents(import.extents) + " mm, " +
+                     std::to_string(mesh.triangles.size()) + " of " + std::to_string(all) + " triangles in reach" +
+                     source;
   if (!import.notes.empty()) {
     name += ", " + import.notes;
-  }
-  if (list.word("surface") == "facets") {
-    return facet_surface(std::move(mesh), name);
   }
   return level_set(std::move(mesh), {list.real("cell"), list.real("smoothing")}, name);
 }

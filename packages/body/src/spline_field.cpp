@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "toile/base/error.hpp"
 
 namespace toile::body {
 namespace {
 
+constexpr double most_cells = 2e8;  ///< of the box: a person in cells of 3 mm has 6e7
 constexpr int padding = 2;  ///< cells between the facets' box and the grid's border
 
 /// Calls `visit` on points that are no further than half a cell from each other and cover the triangle.
@@ -41,6 +45,14 @@ CellGrid::CellGrid(const TriangleMesh& mesh, double cell) : cell_(cell) {
     upper = upper.cwiseMax(vertex);
   }
   origin_ = lower - Vec3::Constant(padding * cell);
+  const double box_cells = ((upper - lower) / cell + Vec3::Constant(1 + 2 * padding)).prod();
+  if (!(box_cells <= most_cells)) {
+    std::ostringstream text;
+    text << "the smooth surface of the body would need a grid of " << box_cells << " cells of " << cell << " mm round "
+         << (upper - lower).transpose() << " mm, at most " << most_cells
+         << " are possible: enlarge \"cell\", or bound the part of the body that the garment can reach (list Reach)";
+    throw base::InputError(text.str());
+  }
   for (int axis = 0; axis < 3; ++axis) {
     cells_[axis] = static_cast<int>(std::floor((upper - lower)[axis] / cell)) + 1 + 2 * padding;
   }

@@ -7,24 +7,36 @@
 
 namespace toile::body {
 
+enum class Axis { x, y, z };
+
 /// How a body file is read and what is demanded of it.
 struct ImportOptions {
   double scale = 1.0;               ///< mm per unit of the file
   double least_height = 300.0;      ///< mm, after scaling; a person or a leg in centimetres is below
   double greatest_height = 3000.0;  ///< mm
+  Axis up = Axis::z;                ///< axis of the file that becomes z
+  bool up_is_known = false;         ///< true: a body that is wider than high does stand
+  /// Vertices on borders within this distance become one, mm; 0: 1e-5 of the diagonal of the body's box.
+  double weld = 0.0;
   bool closed = true;               ///< a border is an error
   bool repair_orientation = false;  ///< turn inside-out bodies instead of refusing them
 };
 
 /// A body as it came out of a file.
 struct Import {
-  TriangleMesh mesh;  ///< oriented outwards (if closed), manifold, no degenerate facets
-  std::string notes;  ///< what was repaired and what is suspicious, for the summary; empty if nothing
+  TriangleMesh mesh;            ///< oriented outwards (if closed), manifold, no degenerate facets
+  Vec3 extents = Vec3::Zero();  ///< mm
+  std::string notes;  ///< what was repaired or left out and what is suspicious, for the summary; empty if nothing
 };
 
-/// Reads OBJ, STL, PLY or OFF (by extension), cuts polygons into triangles and checks the result.
-/// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit.
+/// Reads OBJ, STL, PLY or OFF (by extension), welds near-copies of vertices, cuts polygons into triangles, leaves out
+/// pieces inside others and checks the result.
+/// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit, lying.
 Import import_body(const std::string& file, const ImportOptions& options);
+
+/// Bisects triangles that are more than four times as long as wide (those of CAD programs), so that there are vertices
+/// all along them. No edge shorter than 15 mm is cut; the surface stays what it is.
+void split_long_triangles(TriangleMesh* mesh);
 
 /// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within
 /// the margin. Unused vertices are dropped. May be empty.

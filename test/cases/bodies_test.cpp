@@ -1,0 +1,281 @@
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <sstream>
+
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+using Point = std::array<double, 3>;
+
+/// Facets of any number of corners over points, corners from 0.
+struct Facets {
+  std::vector<Point> points;
+  std::vector<std::vector<int>> facets;
+};
+
+constexpr int around = 36;
+
+/// Tube about z from -100 mm on, closed by two fans of triangles, `rows` of quads of the given height, looking
+/// outwards.
+Facets tube(double radius, int rows, double row_height) {
+  Facets tube;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2.0 * M_PI * i / around;
+      tube.points.push_back({radius * std::cos(angle), radius * std::sin(angle), -100.0 + row_height * j});
+    }
+  const int bottom = static_cast<int>(tube.points.size()), top = bottom + 1, last = rows * around;
+  tube.points.push_back({0.0, 0.0, -100.0});
+  tube.points.push_back({0.0, 0.0, -100.0 + row_height * rows});
+  for (int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around;
+    for (int j = 0; j < rows; ++j) {
+      const int a = j * around;
+      tube.facets.push_back({a + i, a + next, a + around + next, a + around + i});
+    }
+    tube.facets.push_back({bottom, next, i});
+    tube.facets.push_back({top, last + i, last + next});
+  }
+  return tube;
+}
+
+/// How a dialect of OBJ writes things.
+struct Dialect {
+  std::string head, behind_vertex, between = " ", end = "\n";
+  std::function<std::string(int corner, int points)> corner = [](int c, int) { return std::to_string(c + 1); };
+};
+
+std::string obj(const Facets& body, const Dialect& dialect = {}, double scale = 1.0) {
+  std::ostringstream text;
+  text.precision(9);
+  text << dialect.head;
+  for (const auto& [x, y, z] : body.points)
+    text << "v " << scale * x << ' ' << scale * y << ' ' << scale * z << dialect.behind_vertex << dialect.end;
+  for (const auto& facet : body.facets) {
+    text << "f";
+    for (const int c : facet) text << dialect.between << dialect.corner(c, static_cast<int>(body.points.size()));
+    text << dialect.end;
+  }
+  return text.str();
+}
+
+/// Text STL of triangles; each copy of a vertex is moved by `shift()`.
+std::string stl(const Facets& body, const std::function<double()>& shift) {
+  std::ostringstream text;
+  text.precision(12);
+  text << "solid body\n";
+  for (const auto& facet : body.facets)
+    for (size_t k = 2; k < facet.size(); ++k) {
+      text << "facet normal 0 0 0\nouter loop\n";
+      for (const int c : {facet[0], facet[k - 1], facet[k]}) {
+        text << "vertex";
+        for (const double x : body.points[c]) text << ' ' << x + shift();
+        text << '\n';
+      }
+      text << "endloop\nendfacet\n";
+    }
+  return text.str() + "endsolid body\n";
+}
+
+/// Pressure (kPa) of a sleeve of neo-Hookean fabric that is `width` mm wide and free along a cylinder of 60 mm.
+double pressure_of(double width) {
+  constexpr double c10 = 0.05, thickness = 0.5, radius = 60.0;  // MPa, mm
+  const double stretch = 2.0 * M_PI * radius / width;
+  return 1e3 * thickness / std::sqrt(stretch) * 2.0 * c10 * (stretch * stretch - 1.0 / stretch) / radius;
+}
+
+/// A sleeve on a body of the test, scene.xml with body.obj.
+class Bodies : public ProgramTest {
+ protected:
+  /// Replaces texts of the scene, which must be there.
+  void write_sleeve(const Edits& edits = {}) const {
+    std::ifstream stream(TOILE_SOURCE_DIR "/test/data/cases/bodies/sleeve.xml");
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    for (const auto& [from, to] : edits) {
+      ASSERT_NE(text.find(from), std::string::npos) << from;
+      text.replace(text.find(from), from.size(), to);
+    }
+    write("scene.xml", text);
+  }
+  static std::pair<std::string, std::string> body(const std::string& parameters) {
+    const std::string last = "value=\"body.obj\"/>";
+    return {last, last + parameters};
+  }
+  /// Runs the scene and expects the pressure at its level, kPa; returns what the program printed.
+  std::string expect_pressure(double expected, double tolerance) const {
+    const Outcome outcome = toile("run scene.xml --output results");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream row(read("results/pressure-levels.csv"));
+    std::string word;
+    std::getline(row, word);
+    for (int column = 0; column < 3; ++column) std::getline(row, word, ',');
+    const double pressure = word.empty() ? NAN : std::strtod(word.c_str(), nullptr);
+    EXPECT_NEAR(pressure / expected, 1.0, tolerance);
+    return outcome.out;
+  }
+  template <class Matcher>
+  void expect_refused(const Matcher& message) const {
+    for (const char* command : {"check", "run"}) {
+      const Outcome outcome = toile(std::string(command) + " scene.xml");
+      EXPECT_EQ(outcome.status, 2);
+      EXPECT_THAT(outcome.err, AllOf(StartsWith("toile: "), message));
+    }
+  }
+};
+
+std::string real(const std::string& name, double value) {
+  return "<Parameter name=\"" + name + "\" type=\"double\" value=\"" + std::to_string(value) + "\"/>";
+}
+std::string flag(const std::string& name, bool value) {
+  return "<Parameter name=\"" + name + "\" type=\"bool\" value=\"" + (value ? "true" : "false") + "\"/>";
+}
+std::string text(const std::string& name, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
+}
+
+// The mesh of 32 elements around gives 0.4 % less than the closed form.
+constexpr double mesh_error = 0.006;
+
+// One tube in six dialects of OBJ gives one pressure.
+TEST_F(Bodies, DialectsOfObj) {
+  const Facets body = tube(60.0, 20, 20.0);
+  Dialect tabs, loose, relative, coloured, continued;
+  tabs.between = "\t";
+  loose.head = "o body\nl 1 2\n";
+  relative.corner = [](int c, int points) { return std::to_string(c - points); };
+  coloured.head = "mtllib none.mtl\nusemtl skin\nvt 0 0\nvn 0 0 1\n";
+  coloured.behind_vertex = " 0.8 0.6 0.5";
+  coloured.corner = [](int c, int) { return std::to_string(c + 1) + "/1/1"; };
+  continued.between = " \\\n  ";
+  write_sleeve();
+  for (const Dialect& dialect : {Dialect(), tabs, loose, relative, coloured, continued}) {
+    write("body.obj", obj(body, dialect));
+    SCOPED_TRACE(read("body.obj").substr(0, 60));
+    expect_pressure(pressure_of(250.0), mesh_error);
+  }
+}
+
+// Bare facets, on which no equilibrium is found, are refused with the reason before anything is solved.
+TEST_F(Bodies, BareFacets) {
+  write("body.obj", obj(tube(60.0, 20, 20.0)));
+  write_sleeve({body(text("surface", "facets"))});
+  expect_refused(
+      HasSubstr("bare facets are refused: without friction, fabric comes to rest on the edges between them"));
+}
+
+// The garment lies on the outer surface of a hollow body, whatever repair is asked for, and the cavity is told.
+TEST_F(Bodies, HollowBody) {
+  Facets hollow = tube(60.0, 20, 20.0);
+  Facets cavity = tube(50.0, 19, 20.0);
+  const int first = static_cast<int>(hollow.points.size());
+  for (Point& point : cavity.points) hollow.points.push_back({point[0], point[1], point[2] + 10.0});
+  for (const auto& facet : cavity.facets) {
+    hollow.facets.emplace_back();
+    for (auto c = facet.rbegin(); c != facet.rend(); ++c) hollow.facets.back().push_back(*c + first);
+  }
+  write("body.obj", obj(hollow));
+  const std::string repair = flag("repair orientation", true);
+  for (const std::string& parameters :
+       {std::string(), repair,
+        repair + "<ParameterList name=\"Reach\">" + real("bottom", 0.0) + real("top", 170.0) +
+            "<Parameter name=\"seed\" type=\"Array(double)\" value=\"{50, 0, 80}\"/></ParameterList>"}) {
+    write_sleeve({body(parameters)});
+    EXPECT_THAT(expect_pressure(pressure_of(250.0), mesh_error),
+                HasSubstr("1 pieces inside another left out (1 cavities, whose facets look inwards)"));
+  }
+}
+
+// A cylinder with vertices on its rims alone, or on one more ring, is a cylinder all along.
+TEST_F(Bodies, LongTriangles) {
+  for (const int rows : {1, 2}) {
+    write("body.stl", stl(tube(60.0, rows, 400.0 / rows), [] { return 0.0; }));
+    write_sleeve({{"body.obj", "body.stl"}});
+    expect_pressure(pressure_of(250.0), 1.5 * mesh_error);
+    std::istringstream curve(read("results/pressure-curve.csv"));
+    std::string line;
+    std::getline(curve, line);
+    std::vector<double> pressures;
+    while (std::getline(curve, line))
+      pressures.push_back(std::strtod(line.substr(line.find(',') + 1).c_str(), nullptr));
+    ASSERT_GE(pressures.size(), 7u);
+    for (size_t i = 1; i + 1 < pressures.size(); ++i) EXPECT_NEAR(pressures[i] / pressure_of(250.0), 1.0, 0.02);
+  }
+}
+
+// STL whose copies of one vertex differ in the last digit, all of them or some, is the same closed body, also for a
+// user who asks for an open one.
+TEST_F(Bodies, RoundedCopies) {
+  const Facets body_facets = tube(60.0, 20, 20.0);
+  std::mt19937 random(1);
+  int count = 0;
+  const std::function<double()> all = [&random] { return 4e-6 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+  const std::function<double()> few = [&count] { return ++count % 500 == 0 ? 2e-6 : 0.0; };
+  const std::string open = flag("closed", false);
+  for (const auto& [shift, parameters] : {std::pair(few, std::string()),
+                                          {few, open},
+                                          {all, std::string()},
+                                          {all, open + flag("repair orientation", true)}}) {
+    write("body.stl", stl(body_facets, shift));
+    write_sleeve({body(parameters), {"body.obj", "body.stl"}});
+    EXPECT_THAT(expect_pressure(pressure_of(250.0), mesh_error), HasSubstr(" vertices welded that were up to "));
+  }
+}
+
+// A body in inches is refused with every unit that would make a person of it; in inches it has the right pressure, also
+// on a tight sleeve, and the summary tells its extents.
+TEST_F(Bodies, Inches) {
+  write("body.obj", obj(tube(60.0, 83, 20.0), {}, 1.0 / 25.4));
+  write_sleeve();
+  expect_refused(AllOf(HasSubstr("are 4.724 x 4.724 x 65.35 mm"),
+                       HasSubstr("cm with z up (47.24 x 47.24 x 653.5 mm): \"scale\" = 10; "
+                                 "inches with z up (120 x 120 x 1660 mm): \"scale\" = 25.4: you have to know which")));
+  for (const double width : {250.0, 120.0}) {
+    write_sleeve({body(real("scale", 25.4)), {"value=\"250.0\"", "value=\"" + std::to_string(width) + "\""}});
+    EXPECT_THAT(expect_pressure(pressure_of(width), 2.0 * mesh_error), HasSubstr("120 x 120 x 1660 mm"));
+  }
+}
+
+// A body with y up is refused with the way out, in its own unit and after scaling; turned it has the right pressure.
+TEST_F(Bodies, YUp) {
+  Facets figure = tube(60.0, 20, 20.0);
+  for (Point& point : figure.points) point = {point[0], point[2], -point[1]};
+  write("body.obj", obj(figure, {}, 1e-3));
+  const std::string hint = "m with y up (120 x 120 x 400 mm): \"scale\" = 1000, \"up\" = \"y\"";
+  write_sleeve();
+  expect_refused(AllOf(HasSubstr("are 0.12 x 0.4 x 0.12 mm; it seems to lie, for y is the longest"), HasSubstr(hint)));
+  write_sleeve({body(real("scale", 4000.0))});
+  expect_refused(AllOf(HasSubstr("the body is 480 mm high"), HasSubstr(hint)));
+  write_sleeve({body(real("scale", 1000.0) + text("up", "y"))});
+  expect_pressure(pressure_of(250.0), mesh_error);
+}
+
+// Hostile files are refused with their name and the place in them.
+TEST_F(Bodies, HostileFiles) {
+  const auto expect_place = [this](const std::string& file, const std::string& content, const std::string& place) {
+    write(file, content);
+    write_sleeve({{"body.obj", file}});
+    expect_refused(AllOf(HasSubstr(file + ": " + place), Not(HasSubstr("internal error"))));
+  };
+  expect_place("head.ply", "ply\nformat ascii 1.0\nproperty float x\n", "line 3: a property before any element");
+  expect_place("list.ply",
+               "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n",
+               "the property 'x' of 'vertex' must be a number, not a list");
+  expect_place("huge.off", "OFF\n2147483647 224 0\n0 0 0\n1 0 0\n",
+               "line 4: the file ends after 2 of the 2147483647 vertices");
+  expect_place("far.obj", "v 1e308 0 50\nf 1 1 1\n", "line 1: a vertex has the coordinate 10000000");
+  expect_place("corner.obj", "v 0 0 0\nf 1 2 2147483648\n", "line 2: a facet has the corner 2, but the file has 1");
+}
+
+}  // namespace
+}  // namespace toile::test
