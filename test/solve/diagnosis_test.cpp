@@ -132,6 +132,22 @@ TEST(Diagnosis, AdvisesWhatCanBeTried) {
   EXPECT_THAT(solve::likely_cause(s.failure()), AllOf(HasSubstr("path"), Not(HasSubstr("Damping"))));
 }
 
+// A load that stands still while the steps shrink has reached a limit: the load factor and the load's name are told,
+// and arc length only where it can be used.
+TEST(Diagnosis, TellsALoadThatCannotGrow) {
+  Situation s;
+  s.sheet.problem.loads.push_back(pull({Panels::node(0, 3, 0)}, solve::Vec3::UnitX()));
+  s.state.load = 0.75;
+  s.left.s = 0.125 + 2e-4;
+  EXPECT_EQ(solve::likely_cause(s.failure()),
+            "beyond load 0.75 there may be no equilibrium: the garment cannot carry more of the load \"pull\" (a limit "
+            "point). \"continuation\" = \"arc length\" follows the path past it");
+  s.stage.damping.active = true;
+  EXPECT_THAT(solve::likely_cause(s.failure()), AllOf(HasSubstr("a limit point"), Not(HasSubstr("arc length"))));
+  s.left.s = 0.25;
+  EXPECT_THAT(solve::likely_cause(s.failure()), Not(HasSubstr("limit point")));
+}
+
 // A residual that fell to the last allowed iteration asks for more iterations; one that stands does not.
 TEST(Diagnosis, TellsAnIterationThatWasStillConverging) {
   Situation s;
@@ -203,6 +219,17 @@ TEST(Watch, EndsTheRunAtALimitOfTime) {
                 HasSubstr(of_stage ? "it has taken longer than its \"most time\", 1e-09 s"
                                    : "the run has taken longer than \"most time\" of the list \"Solver\", 1e-09 s"));
   }
+}
+
+// So does a limit of the iterations of a stage.
+TEST(Watch, EndsTheStageAtALimitOfIterations) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  solve::StageOptions settle = stage(solve::StageType::settle);
+  settle.most_iterations = 1;
+  Recorded run(sleeve.problem);
+  run.simulation.set_start(closed_start(sleeve.problem));
+  EXPECT_THAT(failure_of(run.simulation, settle),
+              HasSubstr("because it has taken 1 iterations, its \"most iterations in all\""));
 }
 
 // Every iteration is reported with what is sought and how far it is; the last one has converged.

@@ -15,7 +15,7 @@ namespace {
 
 std::string number(double x) {
   std::ostringstream out;
-  out.precision(3);
+  out.precision(4);
   out << x;
   return out.str();
 }
@@ -208,6 +208,25 @@ std::string still_converging(const Failure& failure) {
          std::to_string(failure.newton.max_iterations) + ")";
 }
 
+/// The load stands still while the steps shrink to the smallest.
+std::string reaches_a_limit(const Failure& failure) {
+  constexpr double shrunk = 4.0;  // times the smallest step
+  const StageOptions& stage = failure.stage;
+  if (stage.type != StageType::load || stage.arc_length || !failure.stepped || failure.relaxing) return {};
+  if (failure.left.s - failure.reached > shrunk * stage.smallest_step) return {};
+  const Problem& problem = failure.problem;
+  std::string text =
+      "beyond load " + number(failure.last.load) + " there may be no equilibrium: the garment cannot carry more";
+  if (!problem.pressures.empty())
+    text += " of the pressure \"" + problem.pressures.front().name + "\"";
+  else if (!problem.loads.empty())
+    text += " of the load \"" + problem.loads.front().name + "\"";
+  text += " (a limit point)";
+  if (problem.surface == nullptr && !stage.damping.active)
+    text += ". \"continuation\" = \"arc length\" follows the path past it";
+  return text;
+}
+
 std::string far_from_equilibrium(const Failure& failure) {
   constexpr double near = 1e-3;
   if (failure.left.total.relative() < near) return {};
@@ -237,8 +256,9 @@ std::string nothing_known(const Failure& failure) {
 }  // namespace
 
 const std::vector<Cause>& causes() {
-  static const std::vector<Cause> all = {seam_through_body, starts_too_stretched, slides,           is_loose,
-                                         has_no_tension,    loses_ellipticity,    still_converging, nothing_known};
+  static const std::vector<Cause> all = {seam_through_body, starts_too_stretched, slides,
+                                         is_loose,          has_no_tension,       loses_ellipticity,
+                                         still_converging,  reaches_a_limit,      nothing_known};
   return all;
 }
 

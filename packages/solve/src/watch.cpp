@@ -8,7 +8,7 @@ namespace toile::solve {
 
 namespace {
 
-enum class Stop { no, run_time, stage_time, wanted };
+enum class Stop { no, run_time, stage_time, iterations, wanted };
 
 std::string seconds_text(double seconds) {
   std::ostringstream out;
@@ -27,6 +27,8 @@ double Watch::now() const {
 void Watch::start_stage(const StageOptions& stage) {
   stage_most_time_ = stage.most_time;
   stage_start_ = now();
+  stage_most_iterations_ = stage.most_iterations;
+  iterations_ = 0;
   report_ = IterationReport();
   report_.stage = stage.name;
 }
@@ -37,6 +39,8 @@ void Watch::find_reason() {
   Stop mine = Stop::no;
   if (!wish.empty())
     mine = Stop::wanted;
+  else if (iterations_ > stage_most_iterations_)
+    mine = Stop::iterations;
   else if (comm_->getRank() == 0 && stage_most_time_ > 0.0 && now() - stage_start_ > stage_most_time_)
     mine = Stop::stage_time;
   else if (comm_->getRank() == 0 && most_time_ > 0.0 && now() > most_time_)
@@ -45,6 +49,8 @@ void Watch::find_reason() {
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, static_cast<int>(mine), Teuchos::outArg(all));
   if (all == static_cast<int>(Stop::wanted)) {
     stopped_ = wish.empty() ? "it was asked to end" : wish;
+  } else if (all == static_cast<int>(Stop::iterations)) {
+    stopped_ = "it has taken " + std::to_string(stage_most_iterations_) + " iterations, its \"most iterations in all\"";
   } else if (all == static_cast<int>(Stop::stage_time)) {
     stopped_ = "it has taken longer than its \"most time\", " + seconds_text(stage_most_time_);
   } else if (all == static_cast<int>(Stop::run_time)) {
@@ -56,6 +62,7 @@ bool Watch::go_on(int iteration, double s, double residual, double gap) {
   if (!stopped_.empty()) return false;
   if (iteration == 0) residuals_.clear();
   residuals_.push_back(residual);
+  if (iteration > 0) ++iterations_;
   report_.iteration = iteration;
   report_.parameter = s;
   report_.residual = residual;
