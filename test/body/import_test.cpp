@@ -304,6 +304,21 @@ TEST(Import, NestedTubes) {
   }
 }
 
+// A body that falls into thousands of pieces is read without comparing each of them with each other.
+TEST(Import, ManyPieces) {
+  TriangleMesh mesh = ball();
+  for (int n = 0; n < 20000; ++n) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const Vec3& corner : {Vec3::Zero().eval(), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0)}) {
+      mesh.vertices.push_back(corner + Vec3(70.0 + n % 100, 2.0 * (n / 100 % 50), n / 5000));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  ImportOptions options = small();
+  options.closed = false;
+  EXPECT_EQ(import_body(test::write_obj("crumbs", mesh), options).mesh.triangles.size(), mesh.triangles.size());
+}
+
 /// Writes the ball as text STL, each copy of a vertex moved by up to `shift`.
 std::string write_rounded_stl(const std::string& name, double shift) {
   std::mt19937 random(1);

@@ -90,6 +90,14 @@ TEST(MakeSurface, BareFacetsAreRefused) {
               HasSubstr("parameter \"surface\" = \"facets\": bare facets are refused: without friction"));
 }
 
+// A cell that would need more memory than a machine has is refused with the number of cells and the way out.
+TEST(MakeSurface, TooFineACellIsRefused) {
+  test::write_obj("tube", test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 20.0, 1));
+  EXPECT_THAT(message(text("type", "file") + text("file", "toile-body-tube.obj") + small_tube + real("cell", 0.01)),
+              testing::AllOf(HasSubstr("parameter \"cell\" = 0.01: "), HasSubstr("would need a grid of "),
+                             HasSubstr("enlarge \"cell\"")));
+}
+
 // The list's own Reach goes before the garment's region, and a seed picks one of several pieces.
 TEST(MakeSurface, ReachIsReadFromTheList) {
   const auto mesh = test::random_triangulation(test::elliptic_tube(80.0, 50.0, 160.0), 10.0, 1);

@@ -65,6 +65,15 @@ TEST(Diagnosis, NamesTheNodeWithTheLargestGap) {
   EXPECT_THAT(text, Not(HasSubstr("forces")));
 }
 
+// An equilibrium that does not continue the path is no step: it is told as a jump.
+TEST(Diagnosis, TellsAJump) {
+  Situation s;
+  EXPECT_EQ(
+      solve::what_failed(s.failure()),
+      "The last attempt, a step of 0.125, found an equilibrium on another branch, to which the garment would jump, "
+      "and was given up.");
+}
+
 // A node on a seam is told with the name of the seam, or, where that is not known, with the nodes that it is sewn to.
 TEST(Diagnosis, NamesTheSeam) {
   Situation s;
@@ -79,6 +88,7 @@ TEST(Diagnosis, NamesTheSeam) {
 // How an attempt ended: out of iterations, or with a tangent that cannot be factorised; and what it was an attempt at.
 TEST(Diagnosis, TellsHowTheAttemptEnded) {
   Situation s;
+  s.left.total.force = 0.1;
   s.left.factorised = false;
   EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr("because its tangent could not be factorised."));
   s.left.iterations = s.newton.max_iterations;

@@ -1,4 +1,5 @@
 #include "follower_pressure.hpp"
+#include "pressure_edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,77 @@ TEST(FollowerPressureOnABox, ForceIsTheGradientOfTheVolume) {
     x += h;
     EXPECT_NEAR((up - down) / (2.0 * h), force[k], 1e-8) << k;
   }
+}
+
+/// Three elements side by side. Their nodes 0 to 3 lie in the plane y = 7, in which 1 and 2 slide; 4 to 7 are held.
+class SlidingEdge : public testing::Test {
+ protected:
+  using Vec3 = Eigen::Vector3d;
+  static constexpr double h = 1e-4;
+
+  SlidingEdge() {
+    for (int i = 0; i < 4; ++i) {
+      x_[static_cast<size_t>(i)] = Vec3(5.0 + 2.0 * i, 7.0, 3.0 + 0.4 * i * i);
+      x_[static_cast<size_t>(i + 4)] = Vec3(4.8 + 2.1 * i, 8.5 + 0.2 * i, 2.5 - 0.3 * i);
+    }
+    start_ = x_;
+  }
+
+  static std::array<int, 4> element(int e) { return {e, e + 1, e + 5, e + 4}; }
+
+  /// Force of a pressure 1 on node `n`, N; `potential`, or null, gets the potential about the start.
+  Vec3 force(int n, double* potential) const {
+    Vec3 sum = Vec3::Zero();
+    for (int e = 0; e < 3; ++e) {
+      double x[12];
+      const std::array<int, 4> nodes = element(e);
+      for (size_t i = 0; i < 4; ++i) std::copy_n(at(nodes[i]).data(), 3, x + 3 * i);
+      const auto found = pressure_on_element(4, 3, x, 1.0, nullptr);
+      for (size_t i = 0; i < 4; ++i)
+        if (nodes[i] == n) sum += Vec3(found.force + 3 * i);
+      const size_t a = static_cast<size_t>(e), b = a + 1;
+      if (potential != nullptr) *potential += solve::edge_work(start_[a], start_[b], x_[a], x_[b]) - found.volume;
+    }
+    return sum;
+  }
+  const Vec3& at(int n) const { return x_[static_cast<size_t>(n)]; }
+
+  std::array<Vec3, 8> x_, start_;
+};
+
+// Where an edge slides in a plane, off the origin too, the force is the gradient of the potential however far it slid.
+TEST_F(SlidingEdge, HasAPotential) {
+  x_[1] += Vec3(1.5, 0.0, -0.8);
+  x_[2] += Vec3(-0.7, 0.0, 1.1);
+  for (const int n : {1, 2})
+    for (const int d : {0, 2}) {
+      const double expected = force(n, nullptr)[d];
+      double up = 0.0, down = 0.0;
+      x_[static_cast<size_t>(n)][d] += h;
+      force(n, &up);
+      x_[static_cast<size_t>(n)][d] -= 2.0 * h;
+      force(n, &down);
+      x_[static_cast<size_t>(n)][d] += h;
+      EXPECT_NEAR((down - up) / (2.0 * h), expected, 1e-8) << n << " " << d;
+    }
+}
+
+// The stiffness of the volume and that of the edge are together the derivative of the force.
+TEST_F(SlidingEdge, StiffnessIsTheDerivativeOfTheForce) {
+  double x[12], K[144] = {};
+  for (size_t i = 0; i < 4; ++i) std::copy_n(at(element(1)[i]).data(), 3, x + 3 * i);
+  pressure_on_element(4, 3, x, 1.0, K);
+  const Eigen::Matrix3d edge = solve::edge_stiffness(at(1), at(2));
+  for (const int row : {0, 2})
+    for (const int column : {0, 2}) {
+      x_[2][column] += h;
+      const double up = force(1, nullptr)[row];
+      x_[2][column] -= 2.0 * h;
+      const double down = force(1, nullptr)[row];
+      x_[2][column] += h;
+      EXPECT_NEAR((down - up) / (2.0 * h), K[12 * row + 3 + column] + edge(row, column), 1e-8) << row << column;
+    }
+  EXPECT_GT(std::abs(edge(0, 2)), 1.0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "import_checks.hpp"
+#include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
 #include "toile/body/import.hpp"
 #include "toile/body/level_set.hpp"
@@ -140,7 +141,11 @@ SurfacePtr make_imported(const List& list, const Region* region) {
   if (!import.notes.empty()) {
     name += ", " + import.notes;
   }
-  return level_set(std::move(mesh), {list.real("cell"), list.real("smoothing")}, name);
+  try {
+    return level_set(std::move(mesh), {list.real("cell"), list.real("smoothing")}, name);
+  } catch (const base::InputError& error) {
+    list.fail("cell", error.what());
+  }
 }
 
 SurfacePtr make_cone(const List& list) {

@@ -1,13 +1,17 @@
 #include "nested.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "pieces.hpp"
 
 namespace toile::body {
 namespace {
+
+constexpr int most_outer = 100;  ///< pieces, the largest ones, that others are looked for in
 
 struct Piece {
   std::vector<int> triangles, vertices;
@@ -110,13 +114,17 @@ Nested drop_nested(TriangleMesh* mesh) {
   }
   const std::vector<Piece> pieces = collect(*mesh, number, count);
   const std::vector<double> volumes = signed_volumes(*mesh, number, count);
+  std::vector<int> largest(count);
+  std::iota(largest.begin(), largest.end(), 0);
+  std::sort(largest.begin(), largest.end(),
+            [&volumes](int a, int b) { return std::abs(volumes[a]) > std::abs(volumes[b]); });
   std::vector<char> inside(count, 0);
-  for (int inner = 0; inner < count; ++inner) {
-    for (int outer = 0; outer < count && inside[inner] == 0; ++outer) {
-      if (outer != inner && std::abs(volumes[outer]) > std::abs(volumes[inner]) &&
-          holds(*mesh, pieces[outer], pieces[inner])) {
+  for (int i = 0; i < count; ++i) {
+    const int inner = largest[i];
+    for (int k = 0; k < std::min(i, most_outer) && inside[inner] == 0; ++k) {
+      if (holds(*mesh, pieces[largest[k]], pieces[inner])) {
         inside[inner] = 1;
-        (volumes[inner] * volumes[outer] < 0.0 ? nested.cavities : nested.solids) += 1;
+        (volumes[inner] * volumes[largest[k]] < 0.0 ? nested.cavities : nested.solids) += 1;
       }
     }
   }

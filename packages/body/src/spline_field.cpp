@@ -10,7 +10,7 @@ namespace toile::body {
 namespace {
 
 constexpr double most_cells = 2e8;  ///< of the box: a person in cells of 3 mm has 6e7
-constexpr int padding = 2;  ///< cells between the facets' box and the grid's border
+constexpr int padding = 2;          ///< cells between the facets' box and the grid's border
 
 /// Calls `visit` on points that are no further than half a cell from each other and cover the triangle.
 template <class Visit>

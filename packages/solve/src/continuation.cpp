@@ -12,6 +12,9 @@ namespace toile::solve {
 
 namespace {
 
+/// Leaves LOCA's loop.
+struct PathEnd {};
+
 RCP<Vector> copy(const Vector& z) {
   return rcp(new Vector(z, Teuchos::Copy));
 }
@@ -59,20 +62,22 @@ Attempt solve_at(const std::shared_ptr<Equilibrium>& equilibrium, const StageOpt
 }
 
 void follow_path(const std::shared_ptr<Equilibrium>& equilibrium, const StageOptions& stage,
-                 const NewtonOptions& options, bool tangent_first, const Vector& z,
-                 const std::function<void(const Attempt&)>& report) {
+                 const NewtonOptions& options, bool tangent_first, const Vector& z, const PathHooks& path) {
   const RCP<Teuchos::ParameterList> top = Teuchos::parameterList();
   top->sublist("NOX") = *newton_parameters(line_search(stage));
   set_stepper(top->sublist("LOCA"), stage, options.max_iterations, tangent_first);
   const RCP<LOCA::GlobalData> global = LOCA::createGlobalData(top);
-  const RCP<BalanceTest> test = rcp(new BalanceTest(options));
+  const RCP<BalanceTest> test = rcp(new BalanceTest(options, path.accepts));
   const auto hooks = std::make_shared<StepHooks>();
   hooks->after = [&](const Vector& at, double s, bool converged) {
-    report({copy(at), s, converged, test->iterations(), test->last()});
+    if (!path.report({copy(at), s, converged, test->iterations(), test->last()})) throw PathEnd();
   };
   const RCP<EquilibriumGroup> group = rcp(new EquilibriumGroup(global, equilibrium, z, 0.0, hooks));
   LOCA::Stepper run(global, group, test, top);
-  run.run();
+  try {
+    run.run();
+  } catch (const PathEnd&) {  // on every rank: what ends a path is the same on all
+  }
   LOCA::destroyGlobalData(global);
 }
 

@@ -9,37 +9,6 @@ double fallback_damping(const Equilibrium& equilibrium, double first_step) {
   return 1e-4 * std::abs(equilibrium.mean_tangent_diagonal()) / equilibrium.mean_mass() * first_step;
 }
 
-void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve) {
-  constexpr int rounds = 3;
-  constexpr double next_to_nothing = 1e-12;  // of stiffness times step squared
-  equilibrium.set_damping(fallback_damping(equilibrium, stage.first_step));
-  const RCP<Vector> before = z;
-  bool converged = solve(0.0).has_value();
-  const RCP<Vector> first = z;
-  equilibrium.start_step(*first, 0.0);
-  double proven = equilibrium.damping();  // the last coefficient with which the first step was found
-  for (int round = 0; round < rounds && converged; ++round) {
-    z = first;
-    converged = solve(stage.first_step).has_value();
-    if (!converged) break;
-    const double now = equilibrium.dissipation(*z, stage.first_step), c = proven = equilibrium.damping();
-    const double step_squared = now * stage.first_step / (c * equilibrium.mean_mass());
-    const double energy = equilibrium.strain_energy(), wanted = stage.damping.fraction * energy;
-    const double least = next_to_nothing * std::abs(equilibrium.mean_tangent_diagonal()) * step_squared;
-    if (now <= 0.0 || energy <= least || std::abs(std::log2(wanted / now)) < 1.0) break;
-    equilibrium.set_damping(c * wanted / now);
-  }
-  if (!converged) equilibrium.set_damping(proven);
-  z = before;
-  equilibrium.start_step(*z, 0.0);
-}
-
-void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double dissipated) {
-  const double wanted = options.fraction * largest_energy;
-  if (dissipated <= 0.0 || wanted <= 0.0) return;
-  equilibrium.set_damping(equilibrium.damping() * std::clamp(wanted / dissipated, 0.2, 5.0));
-}
-
 namespace {
 
 /// Factor of the damping after a step of so many iterations: in a narrow valley the next one must not be harder.
@@ -50,7 +19,95 @@ double fading(const std::optional<int>& iterations) {
   return *iterations <= 20 ? 0.6 : 1.0;
 }
 
+/// What one damped step did, N mm.
+struct Work {
+  double stored, dissipated;
+  /// More damping then lets the step dissipate less: of a step against a spring k the damper c dissipates
+  /// c f^2/(c + k)^2, which is largest at c = k, where it takes twice what the spring stores.
+  bool overdamped() const { return dissipated > 2.0 * std::max(0.0, stored); }
+  /// Of the damping, to where the spring takes as much as the damper.
+  double relief() const { return std::clamp(2.0 * stored / dissipated, 0.01, 0.2); }
+};
+
+/// Ten times the damping, and again, until the stage's start is found and its first step from there: `z` is the start
+/// then. False: none was enough, and the damping is as it was.
+bool find_enough(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve) {
+  constexpr int most = 9;
+  const double least = equilibrium.damping();
+  const RCP<Vector> before = z;
+  for (int k = 0; k < most; ++k) {
+    z = before;
+    equilibrium.start_step(*z, 0.0);
+    if (solve(0.0)) {
+      const RCP<Vector> first = z;
+      equilibrium.start_step(*first, 0.0);
+      const bool stepped = solve(stage.first_step).has_value();
+      z = first;
+      if (stepped) return true;
+    }
+    equilibrium.set_damping(10.0 * equilibrium.damping());
+  }
+  equilibrium.set_damping(least);
+  z = before;
+  equilibrium.start_step(*z, 0.0);
+  return false;
+}
+
 }  // namespace
+
+void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve) {
+  constexpr int rounds = 3;
+  constexpr double next_to_nothing = 1e-12;  // of stiffness times step squared
+  equilibrium.set_damping(fallback_damping(equilibrium, stage.first_step));
+  const RCP<Vector> before = z;
+  if (!find_enough(equilibrium, stage, z, solve)) return;
+  const RCP<Vector> first = z;
+  Vector f(first->getMap());
+  equilibrium.residual(*first, 0.0, f);
+  const double at_start = equilibrium.strain_energy();
+  const double enough = equilibrium.damping();
+  double proven = enough;  // the last coefficient with which the first step was found
+  for (int round = 0; round < rounds; ++round) {
+    z = first;
+    if (!solve(stage.first_step)) break;
+    const double now = equilibrium.dissipation(*z, stage.first_step), c = proven = equilibrium.damping();
+    const double step_squared = now * stage.first_step / (c * equilibrium.mean_mass());
+    const double energy = equilibrium.strain_energy(), wanted = stage.damping.fraction * energy;
+    const double least = next_to_nothing * std::abs(equilibrium.mean_tangent_diagonal()) * step_squared;
+    if (now <= 0.0 || energy <= least) break;
+    const Work work{energy - at_start, now};
+    if (work.overdamped())
+      equilibrium.set_damping(c * work.relief());
+    else if (std::abs(std::log2(wanted / now)) < 1.0)
+      break;
+    else
+      equilibrium.set_damping(c * wanted / now);
+  }
+  // The path starts at the stage's start again, which may need more than the first step.
+  for (; proven < enough; proven = std::min(10.0 * proven, enough)) {
+    equilibrium.set_damping(proven);
+    z = before;
+    equilibrium.start_step(*z, 0.0);
+    if (solve(0.0)) break;
+  }
+  equilibrium.set_damping(proven);
+  z = before;
+  equilibrium.start_step(*z, 0.0);
+}
+
+void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double stored,
+                   double dissipated, int iterations) {
+  const double wanted = options.fraction * largest_energy;
+  if (dissipated <= 0.0 || wanted <= 0.0) return;
+  const Work work{stored, dissipated};
+  const double factor =
+      work.overdamped() ? std::max(work.relief(), fading(iterations)) : std::clamp(wanted / dissipated, 0.2, 5.0);
+  equilibrium.set_damping(equilibrium.damping() * factor);
+}
+
+void stiffen_damping(Equilibrium& equilibrium) {
+  equilibrium.set_damping(equilibrium.damping() * fading(std::nullopt));
+}
 
 std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
                                    const SolveAt& solve) {

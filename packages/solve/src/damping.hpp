@@ -16,11 +16,17 @@ using SolveAt = std::function<std::optional<int>(double s)>;
 double fallback_damping(const Equilibrium& equilibrium, double first_step);
 
 /// Sets the damping with which the stage's first step dissipates the wanted share of its strain energy, found by trying
-/// that step: a softer one moves further, so it is tried again. `z`: what `solve` moves; it ends where it was.
+/// that step: a softer one moves further, so it is tried again. Where the start or the first step cannot be found with
+/// little damping, it starts with more. `z`: what `solve` moves; it ends where it was.
 void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve);
 
-/// Towards the wanted share of the largest strain energy, from what the last step dissipated (N mm).
-void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double dissipated);
+/// Towards the wanted share of the largest strain energy, from what the last step stored and dissipated (N mm). Where
+/// it dissipated more than the garment takes up, more damping would dissipate less and freeze the garment: it is
+/// lowered.
+void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double stored,
+                   double dissipated, int iterations);
+/// After a step that failed.
+void stiffen_damping(Equilibrium& equilibrium);
 
 /// Damped steps at the end of the stage, each from where the last one ended: the damping fades the faster the fewer
 /// iterations a step takes, and grows where one fails. Returns what they dissipated, N mm; nothing: no damping was

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "follower_pressure.hpp"
+#include "pressure_edges.hpp"
 
 namespace toile::solve {
 
@@ -15,6 +16,9 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
   const auto is_curved = [](const BlockLaw& law) { return law.shell.placed_reference; };
   const bool curved = std::any_of(problem.laws.begin(), problem.laws.end(), is_curved);
   const std::vector<Frame> start = curved ? start_frames(problem) : std::vector<Frame>();
+  const std::vector<std::vector<std::uint8_t>> edges = find_pressure_edges(problem);
+  for (const std::vector<std::uint8_t>& block : edges)
+    has_pressure_edges_ = has_pressure_edges_ || std::any_of(block.begin(), block.end(), [](auto e) { return e != 0; });
   for (const Layout::BlockPart& local : layout.blocks) {
     const mesh::Block& block = problem.mesh->blocks[local.block];
     Part part{};
@@ -27,6 +31,7 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
       if (pressure.block == local.block) part.pressure += pressure.pressure;
     for (const int e : local.elements) {
       part.wale_angle.push_back(block.wale_angle[e]);
+      if (part.pressure != 0.0) part.pressure_edges.push_back(edges[local.block][static_cast<size_t>(e)]);
       for (int i = 0; i < part.nodes; ++i) {
         const mesh::Vec2& p = problem.mesh->pattern[block.connectivity[static_cast<size_t>(e) * part.nodes + i]];
         part.pattern.insert(part.pattern.end(), {p[0], p[1]});
@@ -129,7 +134,9 @@ void ElementAssembly::add_pressure(Part& part, double load, bool with_tangent, S
     std::fill(stiffness.begin(), stiffness.end(), 0.0);
     const PressureOnElement p = pressure_on_element(part.nodes, static_cast<int>(stride), &part.x[e * ndof],
                                                     load * part.pressure, with_tangent ? stiffness.data() : nullptr);
-    if (part.layout->owned[e]) sums.pressure_potential -= load * part.pressure * p.volume;
+    const double of_edges =
+        add_pressure_edges(part, e, load * part.pressure, with_tangent ? stiffness.data() : nullptr);
+    if (part.layout->owned[e]) sums.pressure_potential += load * part.pressure * (of_edges - p.volume);
     for (size_t i = 0; i < nodes; ++i) {
       const size_t c = 3 * static_cast<size_t>(layout_.node_cluster[part.layout->nodes[e * nodes + i]]);
       for (size_t d = 0; d < 3; ++d) sums.pressure_force[c + d] += p.force[3 * i + d];
@@ -139,6 +146,36 @@ void ElementAssembly::add_pressure(Part& part, double load, bool with_tangent, S
       for (size_t q = 0; q < 3 * nodes; ++q)
         part.tangent[(e * ndof + r / 3 * stride + r % 3) * ndof + q / 3 * stride + q % 3] +=
             stiffness[r * 3 * nodes + q];
+  }
+}
+
+double ElementAssembly::add_pressure_edges(const Part& part, size_t element, double pressure, double* stiffness) const {
+  const size_t nodes = static_cast<size_t>(part.nodes), stride = static_cast<size_t>(part.element->dofs_per_node());
+  double work = 0.0;
+  for (size_t i = 0; i < nodes; ++i) {
+    if ((part.pressure_edges[element] >> i & 1U) == 0) continue;
+    const size_t j = (i + 1) % nodes, first = element * nodes;
+    const Eigen::Map<const Vec3> a(&part.x[stride * (first + i)]), b(&part.x[stride * (first + j)]);
+    if (!part.edge_x.empty()) {
+      const Eigen::Map<const Vec3> a0(&part.edge_x[3 * (first + i)]), b0(&part.edge_x[3 * (first + j)]);
+      work += edge_work(a0, b0, a, b);
+    }
+    if (stiffness == nullptr) continue;
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> K(stiffness, 3 * part.nodes,
+                                                                                         3 * part.nodes);
+    const Eigen::Matrix3d block = pressure * edge_stiffness(a, b);
+    K.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(j)) += block;
+    K.block<3, 3>(3 * static_cast<Eigen::Index>(j), 3 * static_cast<Eigen::Index>(i)) += block.transpose();
+  }
+  return work;
+}
+
+void ElementAssembly::hold_pressure_edges(const Configuration& at) {
+  for (Part& part : parts_) {
+    if (part.pressure_edges.empty()) continue;
+    part.edge_x.resize(3 * part.layout->nodes.size());
+    for (size_t i = 0; i < part.layout->nodes.size(); ++i)
+      std::copy_n(&at.x[3 * static_cast<size_t>(part.layout->nodes[i])], 3, &part.edge_x[3 * i]);
   }
 }
 

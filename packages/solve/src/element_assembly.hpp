@@ -32,6 +32,10 @@ class ElementAssembly {
   /// Follower pressures count `load` times. Adds to `values` (entries of the graph, may be null).
   Sums evaluate(const Configuration& at, double load, double* values);
 
+  /// Whether a follower pressure ends at an edge, on any rank: its potential is then one about a configuration.
+  bool has_pressure_edges() const { return has_pressure_edges_; }
+  void hold_pressure_edges(const Configuration& at);
+
   /// The directors' frames [local node] from which rotations count from now on.
   void set_frames(const std::vector<Frame>& frames);
   /// What the elements would keep frozen during a step (Element::freeze) from this state on; adopt_frozen() makes them
@@ -56,19 +60,24 @@ class ElementAssembly {
     std::vector<double> frames, reference, frozen, next_frozen;  ///< of shells, see element::Batch
     std::vector<double> energy, residual, tangent;
     std::vector<std::uint8_t> status;
-    std::vector<std::int64_t> entry;  ///< [element][ndof][ndof] place in the matrix, or -1
+    std::vector<std::uint8_t> pressure_edges;  ///< [element] see find_pressure_edges; empty without a pressure
+    std::vector<double> edge_x;                ///< positions [element][node][3] about which their potential is
+    std::vector<std::int64_t> entry;           ///< [element][ndof][ndof] place in the matrix, or -1
   };
 
   void find_entries(Part& part, const Graph& graph) const;
   void gather(Part& part, const Configuration& at) const;
   void run(Part& part, bool with_tangent) const;
   void add_pressure(Part& part, double load, bool with_tangent, Sums& sums) const;
+  /// The edges of an element at which the pressure ends: returns their part of the potential over the pressure, and
+  /// adds to the element's stiffness unless it is null.
+  double add_pressure_edges(const Part& part, size_t element, double pressure, double* stiffness) const;
   void add_up(const Part& part, Sums& sums) const;
   element::Batch batch(const Part& part, int first, int count) const;
 
   const Layout& layout_;
   std::vector<Part> parts_;
-  bool has_pressure_ = false;
+  bool has_pressure_ = false, has_pressure_edges_ = false;
 };
 
 }  // namespace toile::solve

@@ -280,6 +280,10 @@ double Equilibrium::load_potential(const ElementAssembly::Sums& sums, double s) 
 }
 
 double Equilibrium::energy(const Vector& z, const Vector& frozen, double s) {
+  if (elements_.has_pressure_edges()) {
+    positions(frozen, s);
+    elements_.hold_pressure_edges(at_);
+  }
   positions(z, s);
   const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
   double total = sums.energy + load_potential(sums, s);

@@ -59,7 +59,8 @@ class Equilibrium {
   /// y = tangent times x.
   void apply(const Vector& x, Vector& y) const;
 
-  /// Potential of the step (strain, loads, damping, augmented contact) with the multipliers held at those of `frozen`.
+  /// Potential of the step (strain, loads, damping, augmented contact) with the multipliers held at those of `frozen`,
+  /// and about `frozen` where a follower pressure ends at an edge that is free.
   double energy(const Vector& z, const Vector& frozen, double s);
 
   /// Derivative of energy(z, z, s) along the part of dz that stays on the surface where the last linearisation found
@@ -69,6 +70,8 @@ class Equilibrium {
   double energy_scale() const { return std::abs(strain_energy_); }
 
   Imbalance imbalance(const Vector& f) const;
+  /// Norm of a difference of states without the multipliers: mm, and radians of shells.
+  double distance(const Vector& dz) const { return dz.offsetView(layout_.dof_map, 0)->norm2(); }
   State state(const Vector& z, double s);
   ForceBalance balance(const Vector& z, double s);
 

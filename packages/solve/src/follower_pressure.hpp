@@ -6,7 +6,8 @@ namespace toile::solve {
 ///
 /// force [nodes][3] is the integral of p N_I n over the current area. `volume` is a third of the integral of x . n, of
 /// which the force is p times the gradient wherever the boundary is held or closed (Bufler 1984): there -p volume is a
-/// potential. `stiffness` [3 nodes][3 nodes], or null, is the second derivative of -p volume, symmetric.
+/// potential; for other edges see pressure_edges.hpp. `stiffness` [3 nodes][3 nodes], or null, is the second derivative
+/// of -p volume, symmetric.
 struct PressureOnElement {
   double volume = 0.0;
   double force[12] = {};

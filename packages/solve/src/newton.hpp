@@ -5,7 +5,9 @@
 #include <NOX_StatusTest_Generic.H>
 #include <NOX_Utils.H>
 
+#include <functional>
 #include <ostream>
+#include <utility>
 
 #include "equilibrium_group.hpp"
 
@@ -15,11 +17,14 @@ namespace toile::solve {
 const EquilibriumGroup& unwrap(const NOX::Abstract::Group& group);
 const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector);
 
-/// Converged: relative force residual and contact gap are below their tolerances. Failed: too many iterations, or not a
-/// number.
+/// Converged: relative force residual and contact gap are below their tolerances. Failed: too many iterations, not a
+/// number, or refused by the judge.
 class BalanceTest : public NOX::StatusTest::Generic {
  public:
-  explicit BalanceTest(const NewtonOptions& options) : options_(options) {}
+  /// Whether what converged in so many iterations counts; without it everything does.
+  using Judge = std::function<bool(const Vector& z, double s, int iterations)>;
+
+  explicit BalanceTest(const NewtonOptions& options, Judge judge = {}) : options_(options), judge_(std::move(judge)) {}
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int indent = 0) const override;
@@ -28,6 +33,7 @@ class BalanceTest : public NOX::StatusTest::Generic {
 
  private:
   NewtonOptions options_;
+  Judge judge_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   Imbalance last_;
   int iterations_ = 0;

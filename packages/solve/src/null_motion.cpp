@@ -62,6 +62,7 @@ class PartMotions {
   std::vector<NullMotion> pinned(const Held& held) const;
 
  private:
+  bool resisted_later(const Held& held, const std::vector<bool>& guided) const;
   Eigen::Matrix<double, 6, 6> resistance_of_directors(const Held& held, int cluster) const;
   Generator generator_at(const Vec3& x) const { return generator(x, centre_, length_); }
 
@@ -115,6 +116,25 @@ void PartMotions::find(const Held& held, bool seams_closed, const std::vector<bo
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(resistance);
   const auto count = (eigen.eigenvalues().array() <= 1e-9 * scale).count();
   null_space_ = eigen.eigenvectors().leftCols(count);
+  if (resisted_later(held, guided)) null_space_.resize(6, 0);
+}
+
+// A rotation that moves every held node along what is free there may still meet its supports to the second order, u = v
+// + w x v / 2: a quarter of a tube between two planes of symmetry begins to turn about the line where the normals of
+// its edges cross. No equilibrium is left by it: loads work on it, and the stress that they make resists it. A pin
+// would carry that work.
+bool PartMotions::resisted_later(const Held& held, const std::vector<bool>& guided) const {
+  constexpr double negligible = 1e-6;
+  if (null_space_.cols() != 1) return false;
+  const Motion motion = null_space_.col(0) / null_space_.norm();
+  const Vec3 w = motion.tail<3>();
+  for (const int c : clusters_) {
+    if (guided[c]) return false;  // the body's curvature would have to be known
+    const Vec3 second = w.cross(Vec3(generator_at(state_.position[c]) * motion));
+    for (int i = 0; i < 3; ++i)
+      if (held.position[c][i].held && std::abs(second[i]) > negligible) return true;
+  }
+  return false;
 }
 
 /// Combines the columns so that each has a one where the others have a zero, in three rows from `first`.

@@ -70,7 +70,7 @@ const GlobalField global_table[] = {
      [](const StepReport& r) { return static_cast<double>(r.negative_pivots); }},
     {"critical_point", "",
      "between this step and the one before: 1 a limit point, 2 a bifurcation, 3 one of them or a change of contact "
-     "(natural continuation cannot tell)",
+     "(natural continuation cannot tell), 4 a jump to another branch",
      [](const StepReport& r) { return static_cast<double>(r.critical); }},
     {"undamped", "", "1: the final state of a stage", [](const StepReport& r) { return r.undamped ? 1.0 : 0.0; }},
     {"wall_time", "s", "since the start", [](const StepReport& r) { return r.seconds; }},

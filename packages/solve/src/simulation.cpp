@@ -17,6 +17,7 @@
 #include "held.hpp"
 #include "notes.hpp"
 #include "null_motion.hpp"
+#include "path_watch.hpp"
 #include "toile/base/error.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
 #include "watch.hpp"
@@ -35,7 +36,7 @@ struct Simulation::Data {
   std::set<std::string> released;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   bool started = false;
-  double largest_energy = 0.0, dissipated = 0.0;
+  double largest_energy = 0.0, last_energy = 0.0, dissipated = 0.0;
 
   // Of the stage that runs.
   StageOptions stage;
@@ -51,6 +52,7 @@ struct Simulation::Data {
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
+  std::optional<PathWatch> path_watch;  ///< of a path that can be left unseen: step by step in the load, undamped
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
   double failed_damping = 0.0;
@@ -84,7 +86,7 @@ struct Simulation::Data {
   }
   std::string where() const { return "stage \"" + stage.name + "\": "; }
   void count_pivots(double s, StepReport& report);
-  void record(const Attempt& attempt);
+  bool record(const Attempt& attempt);
 };
 
 Simulation::Simulation(const Problem& problem, const SolverOptions& options)
@@ -194,12 +196,17 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.balance = equilibrium->balance(*z, s);
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
+  const std::string jump = path_watch ? path_watch->accepted(*z, s) : std::string();
+  if (!jump.empty()) warnings.push_back(where() + jump);
   equilibrium->start_step(*z, s);
   if (undamped || stage.stability_every_step) {
     count_pivots(s, report);
     watch_ellipticity(report);
   }
-  if (equilibrium->damping() > 0.0 && moved) adapt_damping(*equilibrium, stage.damping, largest_energy, now);
+  if (!jump.empty()) report.critical = CriticalPoint::jump;
+  if (equilibrium->damping() > 0.0 && moved)
+    adapt_damping(*equilibrium, stage.damping, largest_energy, report.strain_energy - last_energy, now, iterations);
+  last_energy = report.strain_energy;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   iterations = cut_backs = 0;
   watch.set_cut_backs(0);
@@ -337,27 +344,39 @@ void Simulation::Data::judge(const StepReport& last) {
                        "undamped)");
 }
 
-void Simulation::Data::record(const Attempt& attempt) {
+bool Simulation::Data::record(const Attempt& attempt) {
   iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;
   if (!attempt.converged) {
+    if (!watch.stopped().empty()) return false;
     ++cut_backs;
     ++statistics.cut_backs;
     watch.set_cut_backs(cut_backs);
     fail(attempt);
-    return;
+    if (stage.damping.active) stiffen_damping(*equilibrium);
+    return true;
   }
   z = attempt.z;
   constexpr double round_off = 1e-12;
-  if (attempt.s > 1.0 + round_off) return;  // along the arc LOCA oversteps the end and comes back to it
+  if (attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
   accept(attempt.s, attempt.imbalance, false);
   equilibrium->update_thickness(*z, attempt.s, 0.0);
+  return true;
 }
 
 void Simulation::Data::march() {
   if (stage.damping.active) choose_damping(*equilibrium, stage, z, solver());
-  follow_path(equilibrium, stage, options.newton, problem.surface == nullptr, *z,
-              [this](const Attempt& attempt) { record(attempt); });
+  PathHooks hooks;
+  hooks.report = [this](const Attempt& attempt) { return record(attempt); };
+  if (!stage.damping.active && !stage.arc_length) {
+    path_watch.emplace(equilibrium, stage, options.newton);
+    hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
+  }
+  // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds
+  // leads anywhere.
+  const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
+  follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
+  path_watch.reset();
   constexpr double round_off = 1e-12;
   if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
   throw base::SolveError(path_failure());

@@ -34,8 +34,8 @@ struct Import {
 /// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit, lying.
 Import import_body(const std::string& file, const ImportOptions& options);
 
-/// Bisects triangles that are more than four times as long as wide (those of CAD programs), so that there are vertices
-/// all along them. No edge shorter than 15 mm is cut; the surface stays what it is.
+/// Bisects triangles that are more than ten times as long as wide (those of CAD programs) until they are four times as
+/// long, so that there are vertices all along them. No edge shorter than 15 mm is cut; the surface stays what it is.
 void split_long_triangles(TriangleMesh* mesh);
 
 /// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within

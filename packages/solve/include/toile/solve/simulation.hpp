@@ -26,12 +26,14 @@ struct ForceBalance {
   Vec3 sum() const;  ///< without the pins, so that a force that nothing real carries shows
 };
 
-/// What lies between an accepted step and the one before, told by a change of the number of negative pivots.
+/// What lies between an accepted step and the one before, told by a change of the number of negative pivots or, of a
+/// jump, by the way back.
 enum class CriticalPoint {
   none,
   limit,        ///< the load turned back
   bifurcation,  ///< the load went on: another path branches off
-  unclassified  ///< natural continuation jumps over what lies between its steps
+  unclassified,  ///< natural continuation jumps over what lies between its steps
+  jump           ///< the path was left for another branch, see the warnings
 };
 
 /// One accepted step.

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "continuation.hpp"
+
+namespace toile::solve {
+
+/// Watches a stage that goes step by step in the load without damping, and finds the steps that leave the path of
+/// equilibria for another branch.
+///
+/// A step that needs many iterations, or ends far from where the path pointed, is suspect. It is proven by the way
+/// back: from its end to the load at which it began. On the same branch that leads to where the step began; from
+/// another branch it does not, because that one goes on below the load at which it was entered (hysteresis).
+class PathWatch {
+ public:
+  PathWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options);
+
+  /// Whether the step that converged at (z, s) counts. False: it is a jump, or may be one, and a shorter step may still
+  /// follow the path.
+  bool accepts(const Vector& z, double s, int iterations);
+  /// A step was accepted at (z, s). Returns what is to be said of it; empty: the path was followed.
+  std::string accepted(const Vector& z, double s);
+
+ private:
+  enum class Way { followed, unknown, left };
+  bool suspect(const Vector& z, double s, int iterations) const;
+  Way way_back(const Vector& z, double s);
+  std::string warning(const Vector& z, double s);
+
+  std::shared_ptr<Equilibrium> equilibrium_;
+  StageOptions stage_;
+  NewtonOptions options_;
+  RCP<const Vector> last_;    ///< accepted; null before the stage's start
+  RCP<const Vector> change_;  ///< from the one before, the last step; null: not known
+  double s_ = 0.0, interval_ = 0.0;
+  bool left_ = false;
+};
+
+}  // namespace toile::solve
