@@ -28,9 +28,9 @@ std::string attempt_text(const Failure& failure) {
 /// How Newton's method ended.
 std::string end_text(const Failure& failure) {
   const Remainder& left = failure.left;
+  if (!left.finite) return "came to a state that has no energy";
   if (left.total.relative() <= failure.newton.tolerance && left.total.gap <= failure.newton.gap_tolerance)
     return "found an equilibrium on another branch, to which the garment would jump, and was given up";
-  if (!left.finite) return "came to a state that has no energy";
   if (left.iterations >= failure.newton.max_iterations)
     return "was given up after " + std::to_string(left.iterations) + " iterations (\"most iterations\")";
   if (!left.factorised) return "was given up because its tangent could not be factorised";

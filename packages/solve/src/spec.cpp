@@ -19,7 +19,12 @@ Spec stage_common(const std::string& name, const std::string& text) {
           "most time", "s",
           "Time after which the stage ends where it is, with its last converged state; 0: no limit. See also the list "
           "\"Solver\".",
-          0.0, Range::at_least(0));
+          0.0, Range::at_least(0))
+      .integer(
+          "most iterations in all",
+          "Newton iterations of all steps, failed attempts and the search for the final state included, after which "
+          "the stage ends where it is.",
+          5000, Range::at_least(1));
 }
 
 Spec& add_steps(Spec& spec) {
@@ -116,12 +121,7 @@ Spec solver_spec() {
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
       .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1))
       .real("most time", "s", "Time after which the run ends where it is, with its last converged state; 0: no limit.",
-            0.0, Range::at_least(0))
-      .integer(
-          "most iterations in all",
-          "Newton iterations of all steps, failed attempts and the search for the final state included, after which "
-          "the stage ends where it is.",
-          5000, Range::at_least(1));
+            0.0, Range::at_least(0));
 }
 
 SolverOptions read_solver(const List& list) {
