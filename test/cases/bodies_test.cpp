@@ -259,6 +259,15 @@ TEST_F(Bodies, YUp) {
   expect_pressure(pressure_of(250.0), mesh_error);
 }
 
+// A sleeve that reaches beyond the limb is refused with the height at which the body ends.
+TEST_F(Bodies, BodyEndsBelowTheGarment) {
+  write("body.obj", obj(tube(60.0, 20, 20.0)));
+  write_sleeve({{"name=\"to\" type=\"double\" value=\"105.0\"", "name=\"to\" type=\"double\" value=\"350\""}});
+  expect_refused(
+      HasSubstr("parameter \"to\" = 350: the body ends at 300 mm along the axis, but the panel is wrapped "
+                "from 60 to 350 mm"));
+}
+
 // Hostile files are refused with their name and the place in them.
 TEST_F(Bodies, HostileFiles) {
   const auto expect_place = [this](const std::string& file, const std::string& content, const std::string& place) {

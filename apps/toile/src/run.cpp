@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "recorder.hpp"
+#include "start.hpp"
 #include "stop_signal.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
@@ -44,8 +45,8 @@ void on_first_rank(const F& work) {
 
 /// What is on disk after a stage failed.
 std::string kept_text(const Recorder& recorder, const std::string& folder) {
-  if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
   if (!result::files_available()) return "";
+  if (recorder.reports().empty()) return " No step was accepted; the start is in " + folder + "/start.exo.";
   return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
          folder + "/results.exo, and in " + folder + "/restart.h5.";
 }
@@ -116,10 +117,10 @@ class Progress {
 };
 
 /// A garment that does not press may be right, but nobody runs a scene for it.
-void tell_idle(const scene::Scene& scene, const solve::State& state, base::Log& log) {
-  const auto presses = [](double force) { return force > 0.0; };
-  if (scene.problem().surface != nullptr &&
-      std::none_of(state.contact_force.begin(), state.contact_force.end(), presses))
+void tell_idle(const scene::Scene& scene, const solve::Fields& fields, base::Log& log) {
+  constexpr double nothing = 1e-7;  // MPa
+  const auto presses = [](double pressure) { return pressure > nothing; };
+  if (scene.problem().surface != nullptr && std::none_of(fields.pressure.begin(), fields.pressure.end(), presses))
     log.warn("the garment presses on the body nowhere: it is wider than the body, or beside it");
 }
 
@@ -140,6 +141,7 @@ int run(const RunArguments& arguments) {
   const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
   const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
   const scene::Scene scene(list, comm->getSize(), timer, laws);
+  check_names(scene, list);
   const std::string folder = folder_of(arguments);
   std::optional<Recorder> recorder;
   on_first_rank([&] { recorder.emplace(scene, folder); });
@@ -148,6 +150,8 @@ int run(const RunArguments& arguments) {
 
   if (!result::files_available())
     log.warn("this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
+
+  tell_start(scene::look_at_start(scene, list), log);
 
   catch_stop_signals();
   solve::Simulation simulation(scene.problem(), scene.solver());
@@ -167,11 +171,13 @@ int run(const RunArguments& arguments) {
       simulation.run(stage);
     } catch (const base::SolveError& error) {
       tell(simulation, log);
+      on_first_rank([&] {
+        if (recorder->reports().empty()) recorder->write_start();
+      });
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
 
-  tell_idle(scene, simulation.state(), log);
   std::vector<std::string> failed;
   on_first_rank([&] {
     {
@@ -180,6 +186,7 @@ int run(const RunArguments& arguments) {
     }
     const solve::StepReport& last = recorder->reports().back();
     tell(simulation, log);
+    tell_idle(scene, recorder->last(), log);
     for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
     failed = failed_checks(scene, figures_of(recorder->last(), last));

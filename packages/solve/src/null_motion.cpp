@@ -4,8 +4,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <cmath>
-#include <map>
 #include <sstream>
+
+#include "toile/solve/connected_parts.hpp"
 
 namespace toile::solve {
 
