@@ -16,6 +16,7 @@
 #include "held.hpp"
 #include "notes.hpp"
 #include "null_motion.hpp"
+#include "path_target.hpp"
 #include "path_watch.hpp"
 #include "toile/base/error.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
@@ -47,6 +48,8 @@ struct Simulation::Data {
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
   std::optional<PathWatch> path_watch;  ///< of a path that can be left unseen: step by step in the load, undamped
+  std::optional<TargetSearch> target;   ///< of a path that ends elsewhere than at its load
+  bool arrived = false;                 ///< there
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
 
@@ -78,6 +81,7 @@ struct Simulation::Data {
   std::string where() const { return "stage \"" + stage.name + "\": "; }
   void count_pivots(double s, StepReport& report);
   bool record(const Attempt& attempt);
+  bool arrive();
 };
 
 Simulation::Simulation(const Problem& problem, const SolverOptions& options)
@@ -169,6 +173,7 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.undamped_residual = undamped_residual(*equilibrium, *z, s);
   report.gap = imbalance.gap;
   report.strain_energy = equilibrium->strain_energy();
+  report.stabilisation_energy = equilibrium->stabilisation_energy(*z, s);
   largest_energy = std::max(largest_energy, report.strain_energy);
   const double now = equilibrium->damping() > 0.0 ? equilibrium->dissipation(*z, s) : 0.0;
   dissipated += now;
@@ -327,9 +332,33 @@ bool Simulation::Data::record(const Attempt& attempt) {
   }
   z = attempt.z;
   constexpr double round_off = 1e-12;
-  if (attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
+  if (target && target->passed(*z, attempt.s) && arrive()) return false;
+  if (!target && attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
   accept(attempt.s, attempt.imbalance, false);
   equilibrium->update_thickness(*z, attempt.s, 0.0);
+  return true;
+}
+
+// The state between the last two steps at which the path ends, at a thickness of shells that agrees with it: the stage
+// goes on at its load. False: it was not found.
+bool Simulation::Data::arrive() {
+  constexpr double same_thickness = 1e-7;  // mm
+  constexpr int most_rounds = 30;
+  std::optional<PathPoint> end = target->find();
+  for (int round = 0; round < most_rounds && end; ++round) {
+    if (equilibrium->update_thickness(*end->z, end->s, same_thickness) == 0.0) break;
+    end = target->find_near(*end);
+  }
+  if (!end) return false;
+  z = rcp(new Vector(*end->z, Teuchos::Copy));
+  Vector f(z->getMap());
+  equilibrium->residual(*z, end->s, f);
+  accept(end->s, equilibrium->imbalance(f), false);
+  arrived = true;
+  count_linear_work();
+  drive = {state.seam, state.seam, state.load, state.load};
+  assemble(state, in_contact(state));
+  equilibrium->start_step(*z, 1.0);
   return true;
 }
 
@@ -341,13 +370,17 @@ void Simulation::Data::march() {
     path_watch.emplace(equilibrium, stage, options.newton);
     hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
   }
-  // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds leads
-  // anywhere.
+  arrived = false;
+  if (stage.until) target.emplace(problem, equilibrium, *stage.until, options.newton);
+  // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds
+  // leads anywhere.
   const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
   follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
   path_watch.reset();
+  target.reset();
   constexpr double round_off = 1e-12;
-  if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
+  if (arrived || (!stage.until && reached >= 1.0 - round_off))
+    return;  // LOCA's status calls it a failure if the last allowed step gets there
   std::ostringstream message;
   message << "stage \"" << stage.name << "\" could not reach its end: it stopped at ";
   if (stage.type == StageType::sew)
