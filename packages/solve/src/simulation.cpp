@@ -50,6 +50,7 @@ struct Simulation::Data {
   std::optional<PathWatch> path_watch;  ///< of a path that can be left unseen: step by step in the load, undamped
   std::optional<TargetSearch> target;   ///< of a path that ends elsewhere than at its load
   bool arrived = false;                 ///< there
+  double stabilised = 0.0, stabilised_at = 0.0;  ///< largest share of the energy that only stabilises, and its load
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
 
@@ -119,6 +120,7 @@ void Simulation::Data::build() {
   if (stage.type == StageType::load) drive.load_end = stage.target;
   notes.start_stage();
   lost_ellipticity = false;
+  stabilised = 0.0;
   failed.reset();
   earlier_steps = statistics.steps;
   assemble(state, near_body(problem, state));
@@ -175,6 +177,10 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.strain_energy = equilibrium->strain_energy();
   report.stabilisation_energy = equilibrium->stabilisation_energy(*z, s);
   largest_energy = std::max(largest_energy, report.strain_energy);
+  if (report.stabilisation_energy > stabilised * report.strain_energy && report.strain_energy > 0.0) {
+    stabilised = report.stabilisation_energy / report.strain_energy;
+    stabilised_at = report.load;
+  }
   const double now = equilibrium->damping() > 0.0 ? equilibrium->dissipation(*z, s) : 0.0;
   dissipated += now;
   report.dissipated = dissipated;
@@ -182,14 +188,13 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.balance = equilibrium->balance(*z, s);
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
-  const std::string jump = path_watch ? path_watch->accepted(*z, s) : std::string();
-  if (!jump.empty()) warnings.push_back(where() + jump);
+  const bool jumped = path_watch && path_watch->accepted(*z, s);
   equilibrium->start_step(*z, s);
   if (undamped || stage.stability_every_step) {
     count_pivots(s, report);
     watch_ellipticity(report);
   }
-  if (!jump.empty()) report.critical = CriticalPoint::jump;
+  if (jumped) report.critical = CriticalPoint::jump;
   if (equilibrium->damping() > 0.0 && moved)
     adapt_damping(*equilibrium, stage.damping, largest_energy, report.strain_energy - last_energy, now, iterations);
   last_energy = report.strain_energy;
@@ -314,6 +319,16 @@ std::string Simulation::Data::failure() {
 void Simulation::Data::judge(const StepReport& last) {
   const std::string unstable = stability_warning(last);
   if (!unstable.empty()) warnings.push_back(where() + unstable);
+  constexpr double most_stabilised = 0.05;
+  if (stabilised > most_stabilised) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "up to " << 100.0 * stabilised << " % of the strain energy (at load " << stabilised_at
+         << ") is that of the hourglass modes of reduced shells, which bends what the mesh cannot follow: it is too "
+            "coarse "
+            "there, and may snap early or be too soft or too stiff. Take more elements";
+    warnings.push_back(where() + text.str());
+  }
   if (stage.damping.active && dissipated > stage.damping.limit * largest_energy)
     warnings.push_back(where() +
                        "the damping dissipated more than the limit; its path was not quasi-static (the final state is "
@@ -376,6 +391,7 @@ void Simulation::Data::march() {
   // leads anywhere.
   const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
   follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
+  if (path_watch && !path_watch->warning().empty()) warnings.push_back(where() + path_watch->warning());
   path_watch.reset();
   target.reset();
   constexpr double round_off = 1e-12;
