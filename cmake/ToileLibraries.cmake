@@ -21,6 +21,10 @@ toile_library(nox INCLUDE ${Trilinos_INCLUDE_DIRS}
   LINK trilinos_locathyra trilinos_loca trilinos_nox trilinos_belostpetra trilinos_belos trilinos_amesos2
        trilinos_thyratpetra trilinos_thyracore trilinos_rtop toile_lib_tpetra)
 
+find_path(EXPAT_INCLUDE expat.h REQUIRED)
+find_library(EXPAT_LIBRARY expat REQUIRED)
+toile_library(expat INCLUDE ${EXPAT_INCLUDE} LINK ${EXPAT_LIBRARY})
+
 find_path(EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
 toile_library(eigen INCLUDE ${EIGEN_INCLUDE})
 
@@ -61,6 +65,11 @@ if(TOILE_ENABLE_RESULT)
   find_path(EXODUS_INCLUDE exodusII.h REQUIRED)
   find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/openmpi REQUIRED)
   find_library(HDF5_LIBRARY NAMES hdf5 hdf5_openmpi PATH_SUFFIXES hdf5/openmpi REQUIRED)
+  # The one that Exodus itself uses: there are two builds of it.
+  get_filename_component(EXODUS_FOLDER "${EXODUS_LIBRARY}" DIRECTORY)
+  find_path(NETCDF_INCLUDE netcdf.h HINTS "${EXODUS_FOLDER}/netcdf/mpi/include" REQUIRED)
+  find_library(NETCDF_LIBRARY NAMES netcdf_mpi netcdf REQUIRED)
   toile_library(exodus INCLUDE ${EXODUS_INCLUDE} LINK ${EXODUS_LIBRARY})
+  toile_library(netcdf INCLUDE ${NETCDF_INCLUDE} LINK ${NETCDF_LIBRARY})
   toile_library(hdf5 INCLUDE ${HDF5_INCLUDE} LINK ${HDF5_LIBRARY} MPI::MPI_C)
 endif()

@@ -1,7 +1,8 @@
 # toile_test(<name> SOURCES <files...> USES <packages...> [RANKS 1 3] [LABELS ...] [TIMEOUT s])
 #
 # One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
-# under mpirun, and its main initialises MPI. Label "fast" marks what the sanitizer build runs.
+# under mpirun, and its main initialises MPI. Target tests_<label> builds what has a label; "fast" marks what the sanitizer
+# build runs.
 # Tests run side by side: ranks must not be bound to the same cores, nor spin while they wait.
 set(TOILE_MPIRUN ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 
@@ -33,6 +34,12 @@ function(toile_test name)
   endif()
   # Every source of a test has small helpers of its own, whose names it need not share.
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  foreach(label IN LISTS arg_LABELS)
+    if(NOT TARGET tests_${label})
+      add_custom_target(tests_${label})
+    endif()
+    add_dependencies(tests_${label} ${name})
+  endforeach()
   list(TRANSFORM arg_USES PREPEND toile_)
   target_link_libraries(${name} PRIVATE ${arg_USES} GTest::gtest GTest::gmock toile_options)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Picture of a result: the garment coloured by a field, and the body beside it with the same field mapped on it.
+"""Picture of a result: the garment coloured by a field, with its seams, and the body beside it with the field mapped on it.
 
-Usage: render.py result.exo picture.png [--field pressure] [--angle 30] [--step -1] [--up z] [--largest 1]
+Usage: render.py result.exo picture.png [--field pressure] [--mmhg] [--angle 30] [--step -1] [--up z] [--largest 1]
 
 Needs python3-vtk9; without a display also xvfb and xauth (see cmake/debian-packages.txt).
 """
@@ -18,6 +18,9 @@ LABELS = {"pressure": "contact pressure\n(kPa)", "gap": "gap (mm)", "thickness":
 COLOURS = [(0.00, 0.27, 0.00, 0.33), (0.25, 0.23, 0.32, 0.55), (0.50, 0.13, 0.57, 0.55), (0.75, 0.37, 0.79, 0.38),
            (1.00, 0.99, 0.91, 0.14)]
 GREY = (0.78, 0.77, 0.75)
+SEAM = (0.12, 0.10, 0.10)
+MMHG_PER_KPA = 7.50062
+BAR_WIDTH = 0.3  # of the picture's height: the strip of the colour bar, beside what is shown
 
 
 def arguments():
@@ -28,7 +31,9 @@ def arguments():
     parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical (default: 30 degrees)")
     parser.add_argument("--step", type=int, default=-1, help="step of the run, counted from 0; -1: the last (default)")
     parser.add_argument("--up", choices="xyz", default="z", help="vertical axis (default: z)")
-    parser.add_argument("--largest", type=float, help="value of the brightest colour (default: the largest value)")
+    parser.add_argument("--largest", type=float, help="value of the brightest colour, in the unit that is shown (default: the largest value)")
+    parser.add_argument("--mmhg", action="store_true", help="show a pressure in mmHg (default: kPa)")
+    parser.add_argument("--no-seams", action="store_true", help="do not draw the seams")
     parser.add_argument("--label", help="text at the colour bar (default: the field with its unit)")
     parser.add_argument("--height", type=int, default=1200, help="height of the picture in pixels (default: 1200)")
     return parser.parse_args()
@@ -78,6 +83,56 @@ def field_names(blocks):
     return sorted(names)
 
 
+def to_mmhg(blocks, field):
+    """Changes the values of a pressure from kPa to mmHg, where they are."""
+    for grid in blocks.values():
+        for data in (grid.GetPointData(), grid.GetCellData()):
+            values = data.GetArray(field)
+            for i in range(values.GetNumberOfTuples() if values is not None else 0):
+                values.SetValue(i, MMHG_PER_KPA * values.GetValue(i))
+            if values is not None:
+                values.Modified()
+
+
+def seams(vtk, grids):
+    """Lines where edges of panels lie on each other, of the same panel or of two; empty before they are sewn."""
+    edges = vtk.vtkAppendPolyData()
+    size = 0.0
+    for grid in grids:
+        boundary = vtk.vtkFeatureEdges()
+        geometry = vtk.vtkGeometryFilter()
+        geometry.SetInputData(grid)
+        boundary.SetInputConnection(geometry.GetOutputPort())
+        boundary.FeatureEdgesOff()
+        boundary.NonManifoldEdgesOff()
+        boundary.ManifoldEdgesOff()
+        boundary.ColoringOff()
+        boundary.Update()
+        edges.AddInputData(boundary.GetOutput())
+        size = max(size, grid.GetLength())
+    merged = vtk.vtkCleanPolyData()
+    merged.SetInputConnection(edges.GetOutputPort())
+    merged.ToleranceIsAbsoluteOn()
+    merged.SetAbsoluteTolerance(1e-6 * size)
+    merged.Update()
+    lines = {}
+    for i in range(merged.GetOutput().GetNumberOfCells()):
+        cell = merged.GetOutput().GetCell(i)
+        if cell.GetNumberOfPoints() == 2:
+            pair = tuple(sorted((cell.GetPointId(0), cell.GetPointId(1))))
+            lines[pair] = lines.get(pair, 0) + 1
+    cells = vtk.vtkCellArray()
+    for pair, times in lines.items():
+        if times > 1:
+            cells.InsertNextCell(2)
+            cells.InsertCellPoint(pair[0])
+            cells.InsertCellPoint(pair[1])
+    result = vtk.vtkPolyData()
+    result.SetPoints(merged.GetOutput().GetPoints())
+    result.SetLines(cells)
+    return result
+
+
 def value_range(grids, field):
     """Limits of the colours from the given blocks alone; from zero unless that would hide the differences."""
     ranges = []
@@ -87,11 +142,21 @@ def value_range(grids, field):
     low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
     if 0.0 <= low < 0.5 * high:
         low = 0.0
-    return low, (high if high > low else low + 1.0)
+    if high - low > 1e-9 * max(abs(low), abs(high)):
+        return low, high
+    # A field that is the same everywhere, but for rounding.
+    return (min(low, 0.0), max(high, 0.0)) if low != 0.0 or high != 0.0 else (0.0, 1.0)
 
 
-def colour_map(vtk, limits, grey_at_zero=False):
-    """256 colours over the limits; `grey_at_zero` shows what nothing touches in grey."""
+def label_format(limits, number):
+    """Format of so many digits that no two of `number` even labels are the same."""
+    step = (limits[1] - limits[0]) / (number - 1)
+    digits = math.ceil(math.log10(max(abs(limits[0]), abs(limits[1])) / step)) + 1
+    return f"%.{max(digits, 3)}g"
+
+
+def colour_map(vtk, limits, grey_below=False):
+    """256 colours over the limits; `grey_below` shows what nothing touches, at zero or below the limits, in grey."""
     function = vtk.vtkColorTransferFunction()
     for value, red, green, blue in COLOURS:
         function.AddRGBPoint(value, red, green, blue)
@@ -100,8 +165,9 @@ def colour_map(vtk, limits, grey_at_zero=False):
     for i in range(256):
         table.SetTableValue(i, *function.GetColor(i / 255.0))
     table.SetRange(*limits)
-    if grey_at_zero:
-        table.SetRange(limits[0] + 1e-3 * (limits[1] - limits[0]), limits[1])
+    if grey_below:
+        shift = 1e-3 if limits[0] == 0.0 else -1e-3
+        table.SetRange(limits[0] + shift * (limits[1] - limits[0]), limits[1])
         table.SetBelowRangeColor(*GREY, 1.0)
         table.UseBelowRangeColorOn()
     return table
@@ -145,18 +211,31 @@ def actor(vtk, grid, field=None, colours=None, in_front=False):
     return result
 
 
+def seam_actor(vtk, lines, width):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(lines)
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-8.0, -800.0)
+    result = vtk.vtkActor()
+    result.SetMapper(mapper)
+    result.GetProperty().SetColor(*SEAM)
+    result.GetProperty().SetLineWidth(width)
+    result.GetProperty().LightingOff()
+    return result
+
+
 def colour_bar(vtk, colours, label, font_size):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colours)
     bar.SetTitle(label)
     bar.SetNumberOfLabels(6)
-    bar.SetLabelFormat("%.3g")
+    bar.SetLabelFormat(label_format(colours.GetRange(), 6))
     bar.SetUnconstrainedFontSize(True)
     bar.SetVerticalTitleSeparation(16)
     bar.SetBarRatio(0.18)
     bar.SetMaximumNumberOfColors(256)
-    bar.SetPosition(0.74, 0.15)
-    bar.SetWidth(0.24)
+    bar.SetPosition(0.05, 0.15)
+    bar.SetWidth(0.9)
     bar.SetHeight(0.70)
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         text.SetColor(0.1, 0.1, 0.1)
@@ -190,10 +269,11 @@ def bounds_of(grids):
 
 
 def build_scene(vtk, blocks, options, label):
-    """The renderer, and how much wider than high its picture should be."""
+    """What is shown and, in a strip of its own, the colour bar; and how much wider than high the picture should be."""
     field = options.field
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
+    renderer, strip = vtk.vtkRenderer(), vtk.vtkRenderer()
+    for one in (renderer, strip):
+        one.SetBackground(1.0, 1.0, 1.0)
     garment = {name: grid for name, grid in blocks.items() if name != BODY}
     limits = value_range([grid for grid in garment.values() if has_field(grid, field)], field)
     if options.largest is not None:
@@ -201,35 +281,38 @@ def build_scene(vtk, blocks, options, label):
     colours = colour_map(vtk, limits)
     for grid in garment.values():
         renderer.AddActor(actor(vtk, grid, field if has_field(grid, field) else None, colours, in_front=True))
+    if not options.no_seams:
+        renderer.AddActor(seam_actor(vtk, seams(vtk, garment.values()), width=options.height / 500))
     axes = camera_axes(options.up, options.angle)
     if BODY in blocks:
         body = blocks[BODY]
         renderer.AddActor(actor(vtk, body))
         if has_field(body, field):
             shift = 1.15 * extent(bounds_of(blocks.values()), axes[1])
-            beside = actor(vtk, body, field, colour_map(vtk, limits, grey_at_zero=limits[0] == 0.0))
+            beside = actor(vtk, body, field, colour_map(vtk, limits, grey_below=limits[0] >= 0.0))
             beside.SetPosition(*[shift * component for component in axes[1]])
             renderer.AddActor(beside)
     ratio = look_at(renderer, *axes)
-    renderer.AddViewProp(colour_bar(vtk, colours, label, font_size=options.height // 50))
-    return renderer, ratio
+    strip.AddViewProp(colour_bar(vtk, colours, label, font_size=options.height // 50))
+    edge = ratio / (ratio + BAR_WIDTH)
+    renderer.SetViewport(0.0, 0.0, edge, 1.0)
+    strip.SetViewport(edge, 0.0, 1.0, 1.0)
+    return (renderer, strip), ratio + BAR_WIDTH
 
 
 def look_at(renderer, towards, right, upwards):
-    """Parallel view of everything, with room for the colour bar on the right. Returns width / height."""
+    """Parallel view of everything. Returns width / height."""
     bounds = renderer.ComputeVisiblePropBounds()
     height, width = 1.08 * extent(bounds, upwards), 1.05 * extent(bounds, right)
     if min(height, width) < 1e-6 * max(height, width):
         sys.exit("render.py: the result is flat and is seen from its edge; choose another --up or --angle")
-    ratio = min(max(width / height + 0.3, 0.8), 2.0)
-    scale = max(height, width / (ratio - 0.3))
-    aside = 0.15 * scale
+    ratio = min(max(width / height, 0.5), 2.5)
+    scale = max(height, width / ratio)
     centre = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
-    focus = [centre[k] + aside * right[k] for k in range(3)]
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetFocalPoint(*focus)
-    camera.SetPosition(*[focus[k] + 2.0 * (height + width) * towards[k] for k in range(3)])
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*[centre[k] + 2.0 * (height + width) * towards[k] for k in range(3)])
     camera.SetViewUp(*upwards)
     camera.SetParallelScale(0.5 * scale)
     renderer.ResetCameraClippingRange()
@@ -247,12 +330,18 @@ def main():
     if not any(has_field(grid, options.field) for name, grid in blocks.items() if name != BODY):
         sys.exit(f"render.py: no field '{options.field}' on the garment; there are: {', '.join(field_names(blocks))}")
     label = options.label or LABELS.get(options.field, options.field)
-    renderer, ratio = build_scene(vtk, blocks, options, label)
+    if options.mmhg:
+        if not options.field.startswith("pressure"):
+            sys.exit(f"render.py: --mmhg is for pressures, but the field is '{options.field}'")
+        to_mmhg(blocks, options.field)
+        label = options.label or LABELS.get(options.field, options.field).replace("kPa", "mmHg")
+    renderers, ratio = build_scene(vtk, blocks, options, label)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(round(ratio * options.height), options.height)
-    window.AddRenderer(renderer)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)

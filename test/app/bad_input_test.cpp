@@ -17,7 +17,7 @@ class BadInput : public ProgramTest {
     const Outcome run = toile("run scene.xml --output out");
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(run.out, "");
-    EXPECT_THAT(run.err, AllOf(StartsWith("toile: scene.xml: "), HasSubstr(message)));
+    EXPECT_THAT(run.err, AllOf(StartsWith("toile: scene.xml"), HasSubstr(message)));
     EXPECT_EQ(read("out/results.exo"), "of an earlier run");
     EXPECT_EQ(read("out/restart.h5"), "of an earlier run");
   }
@@ -64,7 +64,7 @@ TEST_F(BadInput, OutOfRange) {
 TEST_F(BadInput, MissingScene) {
   const Outcome run = toile("run nowhere.xml");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err, "toile: nowhere.xml: cannot open this file\n");
+  EXPECT_EQ(run.err, "toile: nowhere.xml: cannot open this file: No such file or directory\n");
 }
 
 // A folder in place of the scene.

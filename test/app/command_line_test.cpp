@@ -6,6 +6,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 using CommandLine = ProgramTest;
 
@@ -89,6 +90,27 @@ TEST_F(CommandLine, DescribesLists) {
                              Not(HasSubstr("Panels"))));
 }
 
+// What an error message says of a place, `describe` takes: the path, its end as a parameter, or the line as it is.
+TEST_F(CommandLine, DescribesThePathsOfErrors) {
+  const Outcome list = toile("describe 'scene > Panels > front > Placement'");
+  EXPECT_EQ(list.status, 0);
+  EXPECT_THAT(list.out, StartsWith("scene > Panels > <panel> > Placement\n"));
+  const Outcome parameter = toile("describe 'Panels > front > elements across'");
+  EXPECT_THAT(parameter.out, AllOf(StartsWith("Panels > <panel>\n"), HasSubstr("  elements across  [int; "),
+                                   Not(HasSubstr("elements along"))));
+  const Outcome variants = toile("describe 'Body > radius'");
+  EXPECT_THAT(variants.out, AllOf(HasSubstr("Body, type = \"cylinder\"\n"), HasSubstr("Body, type = \"sphere\"\n")));
+  write_scene("strip", {{"value=\"rectangle\"", "value=\"rectangel\""}});
+  const std::string message = toile("check scene.xml").err;
+  const Outcome line = toile("describe '" + message + "'");
+  EXPECT_THAT(line.out, AllOf(StartsWith("scene > Panels > <panel>\n"), HasSubstr("  shape  [string; allowed: ")))
+      << message;
+  EXPECT_THAT(toile("describe 'fit > Data > warp > noise'").out, HasSubstr("fit > Data > <curve>\n"));
+  const Outcome misspelt = toile("describe 'scene > Panels > front > Placment'");
+  EXPECT_EQ(misspelt.status, 2);
+  EXPECT_THAT(misspelt.err, HasSubstr("there is no list or parameter \"Placment\"; did you mean \"Placement\"?"));
+}
+
 // Nothing in the reference reads like a number that is none.
 TEST_F(CommandLine, DescribesWithoutNonNumbers) {
   const Outcome all = toile("describe");
@@ -100,7 +122,7 @@ TEST_F(CommandLine, DescribesWithoutNonNumbers) {
 TEST_F(CommandLine, SuggestsAList) {
   const Outcome outcome = toile("describe Panel");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("the scene has no list \"Panel\"; did you mean \"Panels\"? Lists: Body, "));
+  EXPECT_THAT(outcome.err, HasSubstr("there is no list or parameter \"Panel\"; did you mean \"Panels\"? Valid here: "));
   EXPECT_EQ(outcome.out, "");
 }
 

@@ -139,8 +139,8 @@ TEST(Include, MissingFile) {
   const Folder folder;
   const std::string file = folder.write("leg.xml", include("nowhere.xml"));
   EXPECT_EQ(input_error([&] { read(file); }),
-            file + ": scene: parameter \"include\" names \"nowhere.xml\", but the file " + folder.path("nowhere.xml") +
-                " cannot be opened");
+            file + ": scene: parameter \"include\" names \"nowhere.xml\", but of the file " +
+                folder.path("nowhere.xml") + ": cannot open this file: No such file or directory");
 }
 
 // Files that include each other in a circle are refused.
@@ -150,6 +150,20 @@ TEST(Include, Circle) {
   const std::string b = folder.write("b.xml", include("a.xml"));
   EXPECT_EQ(input_error([&] { read(a); }),
             b + ": scene: parameter \"include\" names \"a.xml\", which includes this file again");
+}
+
+// Files that each include the next one twice are refused long before their millions of readings are done.
+TEST(Include, Bomb) {
+  const Folder folder;
+  std::string last = "leg.xml";
+  folder.write(last, front(disk));
+  for (int i = 0; i < 25; ++i) {
+    const std::string next = "bomb" + std::to_string(i) + ".xml";
+    folder.write(next, include(last + ", " + last));
+    last = next;
+  }
+  const std::string message = input_error([&] { read(folder.path(last)); });
+  EXPECT_NE(message.find("more than 200 files are included"), std::string::npos) << message;
 }
 
 // "replace" where no included file has that list is refused: it is a misspelling.

@@ -4,6 +4,8 @@
 
 #include "base/scene.hpp"
 #include "fabric_tests.hpp"
+#include "mutation.hpp"
+#include "toile/base/error.hpp"
 #include "toile/identify/residuals.hpp"
 
 namespace toile::identify::test {
@@ -82,11 +84,11 @@ TEST(BadData, NotMonotone) {
 TEST(BadData, NotANumber) {
   const std::string titles = "stretch [-], nominal stress [MPa]\n1.1, 0.1\n";
   EXPECT_EQ(data_error(titles + "1.2, nan\n"),
-            "wale.csv, line 3, column 2 \"nominal stress\": \"nan\", expected a finite number");
+            "wale.csv, line 3, column 2 \"nominal stress\": \"nan\", expected a finite number with a decimal point");
   EXPECT_EQ(data_error(titles + "1.2, 0;2\n"),
-            "wale.csv, line 3, column 2 \"nominal stress\": \"0;2\", expected a finite number");
+            "wale.csv, line 3, column 2 \"nominal stress\": \"0;2\", expected a finite number with a decimal point");
   EXPECT_EQ(data_error(titles + ", 0.2\n"),
-            "wale.csv, line 3, column 1 \"stretch\": the cell is empty, expected a finite number");
+            "wale.csv, line 3, column 1 \"stretch\": the cell is empty, expected a finite number with a decimal point");
   EXPECT_EQ(data_error(titles + "1.2\n"), "wale.csv, line 3: 1 cells, but the titles of line 1 are 2");
 }
 
@@ -97,10 +99,94 @@ TEST(BadData, ByteOrderMark) {
       "wale.csv, line 1, column 1 \"strain\": unknown unit \"furlong\"; write \"strain [unit]\" with one of: -, %");
 }
 
-// A file with semicolons, as spreadsheets write it where numbers have a comma, is told so.
-TEST(BadData, Semicolons) {
-  EXPECT_EQ(data_error("stretch [-]; nominal stress [MPa]\n1,1; 0,1\n"),
-            "wale.csv, line 1: columns are separated by semicolons; write commas, and points in numbers");
+/// The curve of a data file with these lines.
+Curve curve_of(const std::string& text, const std::string& extra = "") {
+  const FitFolder folder;
+  folder.write("wale.csv", text);
+  folder.write("fit.xml", list("fit", list("Material", list("knit", material)) + list("Free", mu) +
+                                          list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                                        parameter("angle", "double", "0") + extra)) +
+                                          list("Algorithm", "")));
+  return FitProblem(folder.read()).curves().front();
+}
+
+// One table with semicolons or tabs and decimal commas, as spreadsheets write it in much of Europe, or with quotes, is
+// the table that it is with commas and points.
+TEST(Data, EuropeanTables) {
+  const Curve plain = curve_of("stretch [-], nominal stress [MPa]\n1.1, 0.015\n1.2, 0.02\n1.35, 1e-1\n");
+  ASSERT_EQ(plain.stretch, (std::vector<double>{1.1, 1.2, 1.35}));
+  ASSERT_EQ(plain.stress, (std::vector<double>{0.015, 0.02, 0.1}));
+  for (const std::string text :
+       {"stretch [-]; nominal stress [MPa]\n1,1; 0,015\n1,2; 0,02\n1,35; 1e-1\n",
+        "stretch [-];nominal stress [MPa]\r\n1,1;0,015\r\n1,2;0,02\r\n1,35;0,1\r\n",
+        "\xEF\xBB\xBFstretch [-]\tnominal stress [MPa]\n1,1\t0,015\n1,2\t0,02\n1,35\t0,1\n",
+        "stretch [-]; nominal stress [MPa]\n1.1; 0.015\n1.2; 0.02\n1.35; 0.1\n",
+        "\"stretch [-]\",\"nominal stress [MPa]\"\n\"1,1\",\"0,015\"\n\"1,2\",\"0,02\"\n\"1,35\",\"0,1\"\n",
+        "date; stretch [-]; remark, free; nominal stress [MPa]\n1.5.2024; 1,1; a, b; 0,015\n2.5.2024; 1,2; ; 0,02\n"
+        "3.5.2024; 1,35; ; 0,1\n"}) {
+    const Curve curve = curve_of(text);
+    EXPECT_EQ(curve.stretch, plain.stretch) << text;
+    EXPECT_EQ(curve.stress, plain.stress) << text;
+  }
+}
+
+// Numbers that can be read in two ways are refused with both, until the input says the mark.
+TEST(Data, AmbiguousDecimalMark) {
+  const std::string titles = "stretch [-]; nominal stress [MPa]\n";
+  EXPECT_EQ(
+      data_error(titles + "1,1; 0.1\n1,2; 0.2\n1,3; 0.3\n"),
+      "wale.csv, line 2, column 2 \"nominal stress\": \"0.1\" has a point, but wale.csv, line 2, column 1 "
+      "\"stretch\": \"1,1\" has a comma: write all numbers with one decimal mark, and without thousands separators");
+  const std::string thousands = titles + "1.100; 2.100\n1.200; 2.200\n1.300; 2.300\n";
+  EXPECT_EQ(
+      data_error(thousands),
+      "wale.csv, line 2, column 1 \"stretch\": \"1.100\" and all other numbers could have a thousands separator as "
+      "well as a decimal mark; write the mark in the parameter \"decimal mark\"");
+  EXPECT_EQ(curve_of(thousands, parameter("decimal mark", "string", "point")).stress.back(), 2.3);
+  EXPECT_THAT(data_error(thousands, parameter("decimal mark", "string", "comma")),
+              HasSubstr("line 2, column 1 \"stretch\": \"1.100\", expected a finite number with a decimal comma"));
+  EXPECT_EQ(curve_of("stretch [-], nominal stress [MPa]\n1.100, 2.100\n1.200, 2.200\n1.300, 2.300\n").stress.back(),
+            2.3);
+  EXPECT_THAT(
+      data_error("stretch [-], nominal stress [MPa]\n1,1, 0,1\n1,2, 0,2\n"),
+      HasSubstr("line 2: 4 cells, but the titles of line 1 are 2; if numbers have a decimal comma, separate the "
+                "columns by semicolons"));
+  EXPECT_THAT(data_error(titles + "1,1; 1.234,5\n1,2; 0,2\n"), HasSubstr("\"1.234,5\", expected a finite number"));
+}
+
+// Whatever is changed in a table, its curve is read or it is refused as the user's.
+TEST(Data, TablesWithFaultsAreReadOrRefused) {
+  const FitFolder folder;
+  folder.write("fit.xml", list("fit", list("Material", list("knit", material)) + list("Free", mu) +
+                                          list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                                        parameter("angle", "double", "0"))) +
+                                          list("Algorithm", "")));
+  const base::List input = folder.read();
+  int read = 0, refused = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const std::string text = toile::test::Mutation(seed)(
+        "# a strip\nstretch [-]; room [C]; nominal stress [MPa]; date\n"
+        "1,05; ; 0,01; 1.5.2024\n1,1; ; 0,02; \n1,2; ; 0,0415; \n");
+    folder.write("wale.csv", text);
+    try {
+      FitProblem problem(input);
+      ++read;
+    } catch (const base::InputError&) {
+      ++refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << text << ": " << error.what();
+    }
+  }
+  EXPECT_GT(read + refused, 999);
+  EXPECT_GT(refused, 100);
+}
+
+// What is no text in UTF-8, or no file, is refused with the reason.
+TEST(Data, OtherFiles) {
+  EXPECT_EQ(data_error(std::string("\xFF\xFEs\0t\0", 6)),
+            "wale.csv: this is no text, or UTF-16 text; save it as CSV in UTF-8");
+  EXPECT_EQ(data_error("", "", "/dev/zero"),
+            "cannot read the data file /dev/zero: this is a pipe or a device, not a file");
 }
 
 // A stretch that no fabric reaches: per cent under the title of a fraction, or a wrong length at rest.

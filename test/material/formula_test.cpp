@@ -7,6 +7,7 @@
 #include "derivatives.hpp"
 #include "formulas.hpp"
 #include "input_error.hpp"
+#include "mutation.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::material::test {
@@ -20,6 +21,12 @@ FormulaParameter number(const std::string& name) {
 
 std::string refusal(const std::string& energy) {
   return input_error([&] { make_formula_law("mine", "", energy, {number("mu"), number("k")}); });
+}
+
+/// What is said of a formula that is good: nothing.
+std::string translated(const std::string& energy) {
+  make_formula_law("mine", "", energy, {number("mu"), number("k")});
+  return "";
 }
 
 /// W, S, D and dS/dp of both laws at sheared states between `low` and `high`, to 1e-12 of the largest of each.
@@ -112,6 +119,54 @@ TEST(Formula, powers_of_zero) {
     }
     EXPECT_EQ(evaluate(*formula, test.params, {1.0, 1.2, 0.0}).bad, 0) << m;
   }
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+// What is nested so deep that it would take the whole stack is refused, however it nests; the formula is then shown
+// near the place alone.
+TEST(Formula, RefusesDeepNesting) {
+  const std::string deep = "parentheses, signs and powers are nested more than 200 deep";
+  for (const std::string& formula :
+       {repeated("(", 10000) + "mu*(I1 - 3)" + repeated(")", 10000), repeated("-", 10000) + "mu*I1",
+        repeated("(-", 10000) + "I1" + repeated(")", 10000), "I1*mu" + repeated("^mu", 10000),
+        "I1*mu" + repeated("^1e-1", 10000), repeated("exp(", 10000) + "I1", repeated("- + ", 10000) + "I1"}) {
+    const std::string message = refusal(formula);
+    EXPECT_THAT(message, HasSubstr(deep)) << formula.substr(0, 40);
+    EXPECT_LT(message.size(), 300U);
+  }
+  EXPECT_THAT(refusal(repeated("mu + ", 30000) + "I1"), HasSubstr("the formula has more than 100000 characters"));
+}
+
+// Whatever is changed in a formula, it is translated or refused as the user's.
+TEST(Formula, FormulasWithFaultsAreTranslatedOrRefused) {
+  const std::string text =
+      "e = max(C11 - 1, 0); mu/2*(I1 - 3) + k/(2*0.8)*(exp(0.8*e^2) - 1) + if(l1 < l2, -J, ln(I2))";
+  int translated = 0, refused = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const std::string formula = toile::test::Mutation(seed)(text);
+    try {
+      make_formula_law("mine", "", formula, {number("mu"), number("k")});
+      ++translated;
+    } catch (const base::InputError&) {
+      ++refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << formula << ": " << error.what();
+    }
+  }
+  EXPECT_GT(translated, 100);
+  EXPECT_GT(refused, 1000);
+}
+
+// A long formula that is not deep, and one that is as deep as anybody writes, are translated.
+TEST(Formula, TakesLongAndRatherDeepFormulas) {
+  EXPECT_EQ(translated("mu*(I1 - 3)" + repeated(" + mu*(I1 - 3)^2 - (I2 - 3)", 3000)), "");
+  EXPECT_EQ(translated(repeated("(", 150) + "mu*(I1 - 3)" + repeated(")", 150)), "");
+  EXPECT_EQ(translated("mu*I1" + repeated("*-I1^2", 300)), "");
 }
 
 // What does not parse is shown with its place: a line with the formula and a caret below the character.

@@ -204,13 +204,13 @@ TEST(Material, from_values) {
   EXPECT_EQ(material.thickness(), 0.7);
   EXPECT_EQ(material.name(), "rebar");
   try {
-    Material(law("neo-hookean"), {-1.0});
+    const Material negative(law("neo-hookean"), {-1.0});
     FAIL();
   } catch (const base::InputError& error) {
     EXPECT_STREQ(error.what(), "Material \"neo-hookean\", parameter \"C10\": -1 is out of range: allowed is > 0");
   }
   try {
-    Material(law("neo-hookean"), {1.0, 2.0});
+    const Material two(law("neo-hookean"), {1.0, 2.0});
     FAIL();
   } catch (const base::InputError& error) {
     EXPECT_STREQ(error.what(), "Material \"neo-hookean\" has 1 parameters, not 2");

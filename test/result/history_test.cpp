@@ -36,11 +36,12 @@ std::string read_unit(const std::string& path, const char* name) {
   return text;
 }
 
-// Each column holds the values of all steps in their order, and the file can be read after each of them.
+// Each column holds the values of all steps in their order, and the file can be read after each of them; before the
+// first one an older file is untouched.
 TEST(History, AppendsRows) {
   const TemporaryFolder folder;
   History history(folder.file("history.h5"), {{"load", ""}, {"strain energy", "N mm"}});
-  EXPECT_TRUE(read_column(history.path(), "load").empty());
+  EXPECT_FALSE(std::filesystem::exists(history.path()));
   history.append({0.5, 10.0});
   EXPECT_THAT(read_column(history.path(), "load"), ElementsAre(0.5));
   history.append({1.0, 20.0});
@@ -50,25 +51,27 @@ TEST(History, AppendsRows) {
   EXPECT_EQ(history.rows(), 2);
 }
 
-// A history that cannot be created is reported with path and reason; a row of the wrong length is our own fault.
+// A history that cannot be written is reported with path and reason; a row of the wrong length is our own fault. One
+// that was removed is written anew, with all its rows.
 TEST(History, ReportsErrors) {
   const TemporaryFolder folder;
   const std::string missing = folder.file("missing/history.h5");
-  EXPECT_EQ(input_error([&] {
-              History(missing, {{"load", ""}});
-            }),
-            "cannot create the history file '" + missing + "': No such file or directory");
+  History nowhere(missing, {{"load", ""}});
+  EXPECT_EQ(input_error([&] { nowhere.append({1.0}); }),
+            "cannot write the history file '" + missing + "': No such file or directory");
   History history(folder.file("history.h5"), {{"load", ""}});
   EXPECT_THROW(history.append({1.0, 2.0}), base::Error);
+  history.append({1.0});
   std::filesystem::remove(history.path());
-  EXPECT_EQ(input_error([&] { history.append({1.0}); }),
-            "cannot write to the history file '" + history.path() + "': No such file or directory");
+  history.append({2.0});
+  EXPECT_THAT(read_column(history.path(), "load"), ElementsAre(1.0, 2.0));
 }
 
 // A history is no state: it is refused as one.
 TEST(History, IsNotAState) {
   const TemporaryFolder folder;
-  const History history(folder.file("history.h5"), {{"load", ""}});
+  History history(folder.file("history.h5"), {{"load", ""}});
+  history.append({1.0});
   EXPECT_EQ(input_error([&] { read_state(history.path()); }),
             "cannot read the state file '" + history.path() + "': it is not a state that Toile wrote");
 }

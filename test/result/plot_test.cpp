@@ -114,6 +114,47 @@ TEST(Plot, WarnsWithoutGnuplot) {
             "no picture of '" + stem + "': gnuplot failed" + hint);
 }
 
+// A gnuplot that does not end is ended, with what it started, and told.
+TEST(Plot, EndsAGnuplotThatHangs) {
+  const TemporaryFolder folder;
+  const TemporaryFolder programs;
+  fake_gnuplot(programs, "sleep 1000 & wait");
+  const Environment path("PATH", programs.path().string() + ":" + std::getenv("PATH"));
+  EXPECT_EQ(write_plot(folder.path().string(), "pressure", example(), 0.25),
+            "no picture of '" + folder.file("pressure") +
+                "': gnuplot did not end in 0.25 s and was ended; run 'gnuplot pressure.gp' in that folder to draw it");
+}
+
+// A picture that gnuplot cut off, as on a full disk, without noticing is told and removed.
+TEST(Plot, TellsAPictureThatWasCutOff) {
+  const TemporaryFolder folder;
+  const TemporaryFolder programs;
+  const Environment path("PATH", programs.path().string());
+  const std::string stem = folder.file("pressure");
+  const std::string hint = "; the disk may be full; run 'gnuplot pressure.gp' in that folder to draw it";
+  fake_gnuplot(programs, "echo '<svg>' > pressure.svg; : > pressure.png");
+  EXPECT_EQ(write_plot(folder.path().string(), "pressure", example()),
+            "no picture of '" + stem + "': gnuplot left '" + stem + ".svg' incomplete" + hint);
+  EXPECT_FALSE(std::filesystem::exists(stem + ".svg"));
+  fake_gnuplot(programs, "echo '<svg></svg>' > pressure.svg; : > pressure.png");
+  EXPECT_EQ(write_plot(folder.path().string(), "pressure", example()),
+            "no picture of '" + stem + "': gnuplot left '" + stem + ".png' incomplete" + hint);
+  EXPECT_FALSE(std::filesystem::exists(stem + ".png"));
+}
+
+// A picture that is a link to another file takes its place; what it leads to is untouched.
+TEST(Plot, FollowsNoLinks) {
+  const TemporaryFolder folder;
+  const TemporaryFolder programs;
+  const Environment path("PATH", programs.path().string());
+  fake_gnuplot(programs, "echo drawn > pressure.svg; echo drawn > pressure.png");
+  std::ofstream(folder.file("victim")) << "precious";
+  for (const char* ending : {"svg", "png", "dat", "gp"})
+    std::filesystem::create_symlink(folder.file("victim"), folder.file(std::string("pressure.") + ending));
+  write_plot(folder.path().string(), "pressure", example());
+  EXPECT_EQ(read_text(folder.file("victim")), "precious");
+}
+
 // A folder that is not there is an error with path and reason.
 TEST(Plot, ReportsAnUnwritableFolder) {
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "support.hpp"
 #include "toile/result/exodus_writer.hpp"
@@ -77,6 +78,125 @@ TEST_F(Render, DrawsPictures) {
     EXPECT_GT(png_size(picture).first, 200) << field;
     std::filesystem::remove(picture);
   }
+}
+
+/// Runs Python in which `render` is the script, `vtk` the viewer and `check` what must hold.
+int run_python(const std::string& code, const TemporaryFolder& folder) {
+  const std::string file = folder.file("check.py");
+  std::ofstream(file) << "import sys, types\nsys.path.insert(0, '" TOILE_SOURCE_DIR "/doc')\nimport render, vtk\n"
+                      << "def check(holds, what):\n  if not holds: sys.exit('does not hold: ' + str(what))\n"
+                      << code;
+  return std::system(("PYTHONDONTWRITEBYTECODE=1 " + python + " " + file + " 2> " + folder.file("messages")).c_str());
+}
+
+// No two labels of a colour bar are the same, however narrow its range is; a wide range has three digits.
+TEST_F(Render, LabelsDiffer) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_python("for low, high in ((0, 0.97), (0.9998, 1.0002), (1e-9, 1.5e-9), (-3, 5), (21.3, 21.300001), "
+                       "(0, 8.57), (-1e-12, 1e-12), (1e6, 1e6 + 1)):\n"
+                       "  form = render.label_format((low, high), 6)\n"
+                       "  labels = [form % (low + i * (high - low) / 5) for i in range(6)]\n"
+                       "  check(len(set(labels)) == 6, labels)\n"
+                       "check(render.label_format((0, 8.57), 6) == '%.3g', 'three digits')\n",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+}
+
+// The colour bar stands beside what is shown, of garments high and wide: their parts of the picture do not overlap, and
+// all of garment and body lies in its own.
+TEST_F(Render, TheColourBarCoversNothing) {
+  const TemporaryFolder folder;
+  const std::string input = write_example(folder);
+  EXPECT_EQ(run_python("blocks = render.read(vtk, '" + input + "', -1)\n" + R"(
+for stretch in (0.02, 1.0, 40.0):
+  for grid in blocks.values():
+    for i in range(grid.GetNumberOfPoints()):
+      x, y, z = grid.GetPoint(i)
+      grid.GetPoints().SetPoint(i, stretch * x, stretch * y, z)
+  options = types.SimpleNamespace(field='pressure', largest=None, up='z', angle=30.0, height=300, no_seams=False)
+  (shown, bar), ratio = render.build_scene(vtk, blocks, options, 'pressure')
+  check(shown.GetViewport()[2] <= bar.GetViewport()[0], 'parts beside each other')
+  window = vtk.vtkRenderWindow()
+  window.SetOffScreenRendering(1)
+  window.SetSize(round(ratio * 300), 300)
+  window.AddRenderer(shown)
+  left, bottom, right, top = shown.GetViewport()
+  box = shown.ComputeVisiblePropBounds()
+  for corner in range(8):
+    shown.SetWorldPoint(box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2)], 1.0)
+    shown.WorldToDisplay()
+    x, y, depth = shown.GetDisplayPoint()
+    check(-1 <= x <= right * round(ratio * 300) + 1 and -1 <= y <= 301, (stretch, x, y))
+)",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+}
+
+// The colours of a field start from zero unless that would hide its differences, and those of a constant one too: what
+// is touched has another colour on the body than what is not.
+TEST_F(Render, ColoursTellTouchedFromUntouched) {
+  const TemporaryFolder folder;
+  const std::string input = write_example(folder);
+  EXPECT_EQ(run_python("blocks = render.read(vtk, '" + input + "', -1)\n" + R"(
+grid = blocks['tube']
+def limits(low, high):
+  values = grid.GetPointData().GetArray('pressure')
+  for i in range(values.GetNumberOfTuples()): values.SetValue(i, low if i % 2 else high)
+  values.Modified()
+  return render.value_range([grid], 'pressure')
+check(limits(0.1, 0.8) == (0.0, 0.8), 'from zero')
+check(limits(0.7, 0.8) == (0.7, 0.8), 'narrow')
+check(limits(0.8, 0.8 + 1e-13)[0] == 0.0, 'constant')
+check(limits(-0.8, -0.8) == (-0.8, 0.0), 'constant, negative')
+check(limits(0.0, 0.0) == (0.0, 1.0), 'zero')
+for low in (0.0, 0.7):
+  colours = render.colour_map(vtk, (low, 0.8), grey_below=True)
+  rgb = [0.0] * 3
+  colours.GetColor(0.0, rgb)
+  check(max(abs(a - b) for a, b in zip(rgb, render.GREY)) < 0.01, rgb)
+  colours.GetColor(max(low, 0.02), rgb)
+  check(max(abs(a - b) for a, b in zip(rgb, render.GREY)) > 0.1, rgb)
+)",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+}
+
+// Seams are where edges lie on each other: the eight edges along the tube, and none around its open ends.
+TEST_F(Render, FindsSeams) {
+  const TemporaryFolder folder;
+  const std::string input = write_example(folder);
+  EXPECT_EQ(run_python("blocks = render.read(vtk, '" + input + "', -1)\n" + R"(
+lines = render.seams(vtk, [blocks['tube']])
+check(lines.GetNumberOfLines() == 8, lines.GetNumberOfLines())
+lengths = [lines.GetCell(i).GetBounds() for i in range(8)]
+check(all(abs(b[5] - b[4] - 7.5) < 1e-9 and b[1] - b[0] < 1e-9 for b in lengths), lengths)
+)",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+}
+
+// Pressures are shown in mmHg on request, from the kPa of the file; nothing else is.
+TEST_F(Render, ShowsMmHg) {
+  const TemporaryFolder folder;
+  const std::string input = write_example(folder);
+  EXPECT_EQ(run_python("blocks = render.read(vtk, '" + input + "', -1)\n" + R"(
+before = render.value_range([blocks['tube']], 'pressure')
+render.to_mmhg(blocks, 'pressure')
+after = render.value_range([blocks['tube']], 'pressure')
+check(abs(after[1] - 7.50062 * before[1]) < 1e-12, (before, after))
+check(abs(before[1] - 0.8) < 1e-12, before)
+)",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+  const std::string picture = " " + folder.file("picture.png") + " --height 300 --mmhg";
+  EXPECT_EQ(run(input + picture, folder.file("messages")), 0) << read_text(folder.file("messages"));
+  EXPECT_NE(run(input + picture + " --field thickness", folder.file("messages")), 0);
+  EXPECT_EQ(read_text(folder.file("messages")), "render.py: --mmhg is for pressures, but the field is 'thickness'\n");
 }
 
 // A flat result is drawn from a side and refused, with a way out, from its edge.

@@ -23,7 +23,7 @@ ContactReference::ContactReference(const std::string& name) : name_(name) {
   if (!file) throw std::runtime_error("missing " + path);
   std::vector<std::string> titles;
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind("#", 0) == 0) {
+    if (line.rfind('#', 0) == 0) {
       for (const std::string& word : split(line, ' ')) {
         const auto equals = word.find('=');
         if (equals == std::string::npos || equals == 0) continue;

@@ -3,7 +3,9 @@
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
+#include "toile/base/reference.hpp"
 #include "toile/criteria/check.hpp"
+#include "toile/identify/spec.hpp"
 #include "toile/material/read_laws.hpp"
 #include "toile/scene/scene.hpp"
 
@@ -26,46 +28,31 @@ base::Spec fabric_file() {
   return spec.add(base::include_parameter()).list(criteria::check_spec());
 }
 
-}  // namespace
-
-int check(const std::string& file, bool allow_plugins) {
-  base::Timer timer;
-  const material::Laws laws = material::read_laws(file, "scene", allow_plugins);
-  const base::List list = base::read_xml(file, scene::scene_spec(laws));
-  const scene::Scene scene(list, 1, timer, laws);
-  if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << file << ": valid. " << scene.garment().mesh.nodes() << " nodes, " << scene.garment().mesh.elements()
-              << " elements, " << scene.garment().seams.size() << " seams, " << scene.stages().size() << " stages"
-              << (scene.surface() != nullptr ? "; " + scene.surface()->summary() : std::string()) << std::endl;
-  return static_cast<int>(base::ExitCode::success);
+/// The file that a path begins in: by its name in front, or by its first list; else a scene, which knows most.
+const base::Spec& file_of(const std::vector<base::Spec>& files, const std::string& path) {
+  const auto begins = [&path](const std::string& name) { return path == name || path.rfind(name + " >", 0) == 0; };
+  for (const base::Spec& file : files)
+    if (begins(file.name())) return file;
+  for (const base::Spec& file : files)
+    for (const auto& [list, is_required] : file.lists())
+      if (begins(list.name())) return file;
+  return files.front();
 }
 
-int describe(bool markdown, const std::string& name, const std::string& scene, bool allow_plugins) {
-  if (name == "fields") return describe_fields(markdown);
+}  // namespace
+
+int describe(bool markdown, const std::string& what, const std::string& scene, bool allow_plugins) {
+  if (what == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
-  std::vector<base::Spec> specs = {scene::scene_spec(laws), fabric_file()};
-  if (!name.empty()) {
-    base::Texts valid;
-    const base::Spec* found = nullptr;
-    for (const base::Spec& spec : specs)
-      for (const auto& [inner, is_required] : spec.lists()) {
-        valid.push_back(inner.name());
-        if (inner.name() == name) found = &inner;
-      }
-    if (found == nullptr) {
-      const std::string near = base::nearest_name(name, valid);
-      std::string all;
-      for (const std::string& v : valid) all += (all.empty() ? "" : ", ") + v;
-      throw base::InputError("describe: the scene has no list \"" + name + "\"" +
-                             (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Lists: " + all);
-    }
-    specs = std::vector<base::Spec>{*found};
-  }
+  const std::vector<base::Spec> files = {scene::scene_spec(laws), fabric_file(), identify::fit_spec(laws)};
+  // A whole fit file has a command of its own.
+  std::vector<base::TitledSpec> specs = {{files[0].name(), files[0]}, {files[1].name(), files[1]}};
+  if (!what.empty()) specs = base::find_specs(file_of(files, base::path_in(what)), base::path_in(what));
   if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
   if (markdown) std::cout << markdown_title;
-  for (const base::Spec& spec : specs)
-    std::cout << (&spec == &specs.front() ? "" : "\n")
-              << (markdown ? base::describe_markdown(spec) : base::describe_text(spec)) << std::flush;
+  for (const base::TitledSpec& one : specs)
+    std::cout << (&one == &specs.front() ? "" : "\n")
+              << (markdown ? base::describe_markdown(one) : base::describe_text(one)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
 }
 

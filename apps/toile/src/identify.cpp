@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -14,10 +13,12 @@
 #include "toile/base/log.hpp"
 #include "toile/base/progress.hpp"
 #include "toile/base/timer.hpp"
+#include "toile/identify/calibrated_range.hpp"
 #include "toile/identify/report.hpp"
 #include "toile/material/read_laws.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
+#include "toile/result/replace_file.hpp"
 
 namespace toile::app {
 
@@ -70,10 +71,7 @@ std::string folder_of(const IdentifyArguments& arguments, const base::List& list
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) throw base::InputError("cannot write " + path);
+  result::replace_file(path, text, "cannot write " + path + ": ");
 }
 
 /// All curves, one below the other.
@@ -195,10 +193,11 @@ int identify(const IdentifyArguments& arguments) {
       identify::fit(problem, identify::Algorithm(list.list("Algorithm")), Progress(log, timer));
   const std::vector<CurveReport> reports = identify::curve_reports(problem, result.params);
   const identify::ParameterStatistics statistics = identify::parameter_statistics(problem, result);
-  const std::string report = identify::report_text(problem, result, reports, statistics);
+  const identify::CalibratedRange range = identify::calibrated_range(problem, result.params);
+  const std::string report = identify::report_text(problem, result, reports, statistics) + identify::range_text(range);
 
-  write_text(folder + "/material.xml", identify::material_xml(problem, result.params));
-  write_text(folder + "/include.xml", identify::include_xml(problem, result.params, list, folder));
+  write_text(folder + "/material.xml", identify::material_xml(problem, range.params));
+  write_text(folder + "/include.xml", identify::include_xml(problem, range.params, list, folder));
   write_text(folder + "/report.txt", report);
   result::write_csv(folder + "/curves.csv", curve_table(problem.curves(), reports));
   result::write_csv(folder + "/residuals.csv", residual_table(reports));
@@ -207,7 +206,7 @@ int identify(const IdentifyArguments& arguments) {
   result::write_csv(folder + "/correlation.csv", matrix_table(problem, statistics.correlation));
   const auto warning = result::write_plot(folder, "curves", curve_plot(list.word("title"), problem.curves(), reports));
   if (warning) log.warn(*warning);
-  log.info(report + identify::material_xml(problem, result.params));
+  log.info(report + identify::material_xml(problem, range.params));
   if (material::find(problem.law().name) == nullptr)
     log.info("A scene needs the law of this material too: let it include " + folder + "/include.xml, which holds both");
   if (!result.falls.empty())

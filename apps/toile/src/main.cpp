@@ -5,7 +5,9 @@
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
@@ -28,11 +30,11 @@ int report(const std::string& message, ExitCode code) {
 }
 
 /// The other ranks may not have failed, and would wait for this one for ever: all of them are ended.
-int fail_internally(const std::exception& error) {
+int fail_everywhere(const std::string& message, ExitCode code) {
   const auto comm = Tpetra::getDefaultComm();
-  if (comm->getSize() == 1) return report(std::string("internal error: ") + error.what(), ExitCode::internal_error);
-  std::cerr << "toile: internal error on rank " << comm->getRank() << ": " << error.what() << std::endl;
-  return MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
+  if (comm->getSize() == 1) return report(message, code);
+  std::cerr << "toile: on rank " << comm->getRank() << ": " << message << std::endl;
+  return MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
 }
 
 [[noreturn]] void fail_unknown(const std::string& kind, const std::string& found, const Texts& valid) {
@@ -108,11 +110,11 @@ int dispatch(int argc, char** argv) {
 
   run->add_flag("--allow-plugins", arguments.allow_plugins, allow_text);
 
-  std::string scene;
-  bool allow_plugins = false;
-  CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it");
-  check->add_option("scene", scene, "XML file of the scene")->required();
-  check->add_flag("--allow-plugins", allow_plugins, allow_text);
+  toile::app::CheckArguments checked;
+  CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it, and look at its start");
+  check->add_option("scene", checked.scene, "XML file of the scene")->required();
+  check->add_option("--output", checked.output, "Write the start to start.exo in this folder")->type_name("DIR");
+  check->add_flag("--allow-plugins", checked.allow_plugins, allow_text);
 
   toile::app::MaterialCheckArguments fabric;
   CLI::App* material = app.add_subcommand("material", "Work on fabrics");
@@ -142,9 +144,13 @@ int dispatch(int argc, char** argv) {
     if (!describe_fit && fit_file->count() == 0) throw CLI::RequiredError("fit");
   });
 
-  std::string list;
+  std::string list, scene;
+  bool allow_plugins = false;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
-  describe->add_option("list", list, "Only this list, for instance Panels; fields: what is written");
+  describe->add_option(
+      "list", list,
+      "Only this list or parameter: its name or path, \"Panels > front > width\", or an error message; "
+      "fields: what is written");
   describe->add_flag("--markdown", markdown, "As Markdown");
   describe->add_option("--scene", scene, "Also the plug-ins and formulas of this scene");
   describe->add_flag("--allow-plugins", allow_plugins, allow_text);
@@ -162,7 +168,7 @@ int dispatch(int argc, char** argv) {
   if (run->parsed()) return toile::app::run(arguments);
   if (identify->parsed())
     return describe_fit ? toile::app::describe_fit(fit_arguments, markdown) : toile::app::identify(fit_arguments);
-  if (check->parsed()) return toile::app::check(scene, allow_plugins);
+  if (check->parsed()) return toile::app::check(checked);
   if (check_material->parsed()) return toile::app::check_material(fabric);
   if (build->parsed()) return toile::app::build_material(source, library, verbose);
   return toile::app::describe(markdown, list, scene, allow_plugins);
@@ -179,7 +185,11 @@ int main(int argc, char** argv) {
     return dispatch(argc, argv);
   } catch (const toile::base::Error& error) {
     return report(error.what(), error.code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail_everywhere(std::string("a file cannot be used: ") + error.what(), ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    return fail_everywhere("the memory does not suffice for this input", ExitCode::bad_input);
   } catch (const std::exception& error) {
-    return fail_internally(error);
+    return fail_everywhere(std::string("internal error: ") + error.what(), ExitCode::internal_error);
   }
 }

@@ -15,12 +15,14 @@ namespace toile::app {
 
 /// Writes what a run produces into its folder (rank 0 only): results.exo, history.h5, restart.h5 at every accepted
 /// step; pressure and force curves at the end. The results of an earlier run are replaced when the first step is
-/// accepted, not before.
+/// on disk, not before.
 class Recorder {
  public:
-  /// Makes the folder. Throws base::InputError if it cannot be written.
+  /// Makes the folder. Throws base::InputError if it cannot be written, or a file in it cannot be replaced.
   Recorder(const scene::Scene& scene, const std::string& folder);
 
+  /// start.exo: what the scene starts from, with the fields that results.exo has. Earlier results are left as they are.
+  void write_start();
   void step(const solve::StepReport& report, const solve::State& state);
   /// Curves and plots of the last state.
   void finish(base::Log& log);
@@ -30,6 +32,9 @@ class Recorder {
 
  private:
   void open_files(const solve::StepReport& report);
+  /// Opens an Exodus file for the fields of the report and returns its global ones.
+  std::vector<result::FieldName> open_exodus(const std::string& file, const solve::StepReport& report);
+  void remove_older() const;
   void write_fields(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;
   void write_pressure(base::Log& log) const;

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "text.hpp"
-#include "toile/base/parameters.hpp"
+#include "toile/base/reference.hpp"
 
 namespace toile::base {
 namespace {
@@ -34,9 +34,9 @@ void collect(const Spec& spec, const std::string& title, const Texts& notes, std
   }
 }
 
-std::vector<Section> sections_of(const Spec& spec) {
+std::vector<Section> sections_of(const TitledSpec& part) {
   std::vector<Section> sections;
-  collect(spec, spec.name(), {spec.text()}, sections);
+  collect(part.spec, part.title, {part.spec.text()}, sections);
   return sections;
 }
 
@@ -99,8 +99,8 @@ void print_lines(std::ostream& out, const Parameter& parameter) {
 
 }  // namespace
 
-std::string describe_markdown(const Spec& spec) {
-  const std::vector<Section> sections = sections_of(spec);
+std::string describe_markdown(const TitledSpec& part) {
+  const std::vector<Section> sections = sections_of(part);
   std::ostringstream out;
   for (const Section& section : sections) {
     out << "## `" << section.title << "`\n\n" << join(section.notes, " ") << "\n\n";
@@ -114,8 +114,8 @@ std::string describe_markdown(const Spec& spec) {
   return out.str();
 }
 
-std::string describe_text(const Spec& spec) {
-  const std::vector<Section> sections = sections_of(spec);
+std::string describe_text(const TitledSpec& part) {
+  const std::vector<Section> sections = sections_of(part);
   std::ostringstream out;
   for (const Section& section : sections) {
     out << section.title << "\n  " << join(section.notes, " ") << '\n';
@@ -124,6 +124,14 @@ std::string describe_text(const Spec& spec) {
   }
   if (has_tables(sections)) out << table_note << '\n';
   return out.str();
+}
+
+std::string describe_markdown(const Spec& spec) {
+  return describe_markdown(TitledSpec{spec.name(), spec});
+}
+
+std::string describe_text(const Spec& spec) {
+  return describe_text(TitledSpec{spec.name(), spec});
 }
 
 }  // namespace toile::base

@@ -1,15 +1,13 @@
 #include "include.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_FileInputSource.hpp>
-#include <Teuchos_XMLParameterListReader.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "toile/base/error.hpp"
+#include "toile/base/file.hpp"
 #include "validate.hpp"
-#include "xml_check.hpp"
+#include "xml_reader.hpp"
 
 namespace toile::base {
 namespace {
@@ -18,28 +16,11 @@ using Teuchos::ParameterList;
 
 const std::string include_key = "include";
 const std::string replace_key = "replace";
+/// A file that includes the next one twice, and so on, would else be read millions of times.
+constexpr int most_files = 200;
 
 std::string below(const std::string& path, const std::string& name) {
   return path + " > " + name;
-}
-
-ParameterList read_one(const std::string& file, const std::string& root) {
-  if (std::filesystem::is_directory(file)) throw InputError(file + ": this is a folder, expected an XML file");
-  if (!std::ifstream(file).good()) throw InputError(file + ": cannot open this file");
-  Teuchos::XMLObject xml;
-  try {
-    xml = Teuchos::FileInputSource(file).getObject();
-  } catch (const std::exception& error) {
-    throw InputError(file + ": not well-formed XML: " + xml_reason(error.what()));
-  }
-  Texts problems;
-  check_xml(xml, root, file, problems);
-  throw_if_any(problems);
-  try {
-    return Teuchos::XMLParameterListReader().toParameterList(xml);
-  } catch (const std::exception& error) {
-    throw InputError(file + ": not a Teuchos parameter list: " + xml_reason(error.what()));
-  }
 }
 
 /// Files that are being read, outermost first: what includes itself would never end.
@@ -55,7 +36,7 @@ class Reader {
  private:
   /// Puts what `file` says, and before it what it includes, on top of `list`.
   void read(const std::string& file, ParameterList& list, Chain chain) {
-    ParameterList own = read_one(file, root_);
+    ParameterList own = parse_xml(content_of(file), file, root_);
     chain.push_back(std::filesystem::weakly_canonical(file));
     if (own.isType<Teuchos::Array<std::string>>(include_key)) {
       for (const std::string& name : own.get<Teuchos::Array<std::string>>(include_key)) {
@@ -67,9 +48,22 @@ class Reader {
     overlay(list, own, root_, file);
   }
 
+  std::string content_of(const std::string& file) {
+    if (++files_ > most_files)
+      throw InputError(file + ": more than " + std::to_string(most_files) +
+                       " files are included, counted each time that they are");
+    std::string content = read_file(file, "an XML file", most_input);
+    size_ += content.size();
+    if (size_ > most_input)
+      throw InputError(file + ": with the files before it, more than the " + std::to_string(most_input >> 20U) +
+                       " MB that are allowed");
+    return content;
+  }
+
   void check_included(const std::string& file, const std::string& name, const std::string& path, const Chain& chain) {
     const std::string where = problem_line(file, root_, "parameter \"include\" names \"" + name + "\"");
-    if (!std::ifstream(path).good()) throw InputError(where + ", but the file " + path + " cannot be opened");
+    if (const std::string why = unreadable(path); !why.empty())
+      throw InputError(where + ", but of the file " + path + ": " + why);
     if (std::find(chain.begin(), chain.end(), std::filesystem::weakly_canonical(path)) != chain.end()) {
       throw InputError(where + ", which includes this file again");
     }
@@ -80,7 +74,9 @@ class Reader {
     for (auto item = own.begin(); item != own.end(); ++item) {
       const std::string& name = own.name(item);
       if (own.entry(item).isList()) {
-        overlay_list(list, own.sublist(name), below(path, name), file);
+        overlay_list(list, name, own.sublist(name), below(path, name), file);
+      } else if (name == replace_key && own.isType<bool>(name) && path != root_) {
+        continue;  // of the list itself, see overlay_list()
       } else {
         if (list.isSublist(name)) list.remove(name);
         list.setEntry(name, own.entry(item));
@@ -89,19 +85,20 @@ class Reader {
     }
   }
 
-  void overlay_list(ParameterList& list, ParameterList own, const std::string& path, const std::string& file) {
-    const std::string name = path.substr(path.rfind(" > ") + 3);
+  void overlay_list(ParameterList& list, const std::string& name, const ParameterList& own, const std::string& path,
+                    const std::string& file) {
     const bool replaces = own.isType<bool>(replace_key) && own.get<bool>(replace_key);
     if (replaces && !list.isSublist(name)) {
       throw InputError(problem_line(file, path, "parameter \"replace\" is true, but no included file has this list"));
     }
-    own.remove(replace_key, false);
     if (replaces || (list.isParameter(name) && !list.isSublist(name))) list.remove(name);
     overlay(list.sublist(name), own, path, file);
   }
 
   std::string root_;
   Merged merged_;
+  int files_ = 0;
+  std::size_t size_ = 0;  ///< of all of them, bytes
 };
 
 }  // namespace

@@ -24,6 +24,12 @@ bool is_no_number(const Value& value) {
   return number != nullptr && !std::isfinite(*number);
 }
 
+/// A value of a length that a message can hold.
+std::string shown(const std::string& text) {
+  constexpr std::size_t most = 500;
+  return text.size() > most ? text.substr(0, most) + "..." : text;
+}
+
 }  // namespace
 
 double List::real(const std::string& name) const {
@@ -110,7 +116,7 @@ void List::fail(const std::string& parameter, const std::string& problem) const 
   } else if (value != data_->values.end() && is_no_number(value->second)) {
     found = " (not given)";
   } else if (value != data_->values.end()) {
-    found = " = " + value_text(value->second) + (given(parameter) ? "" : " (default)");
+    found = " = " + shown(value_text(value->second)) + (given(parameter) ? "" : " (default)");
   }
   throw InputError(file(parameter) + ": " + data_->path + ": parameter \"" + parameter + "\"" + found + ": " + problem);
 }

@@ -51,6 +51,12 @@ std::string nearest_name(const std::string& name, const Texts& valid) {
   return nearest;
 }
 
+std::string trimmed(const std::string& text) {
+  const char* blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::string join(const Texts& words, const std::string& separator) {
   std::string joined;
   for (const std::string& word : words) joined += (joined.empty() ? "" : separator) + word;

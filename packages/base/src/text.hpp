@@ -10,6 +10,9 @@ namespace toile::base {
 /// alignment distance; Damerau 1964), blind to upper and lower case.
 int edit_distance(const std::string& a, const std::string& b);
 
+/// Without the blanks and line ends around it.
+std::string trimmed(const std::string& text);
+
 std::string join(const Texts& words, const std::string& separator);
 
 /// Shortest decimal text that reads back as the same number.

@@ -12,6 +12,9 @@
 namespace toile::base {
 namespace {
 
+/// More are of one cause.
+constexpr std::size_t most_problems = 50;
+
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
 
@@ -217,7 +220,11 @@ std::shared_ptr<const List::Data> validated(const ParameterList& list, const Spe
 }
 
 void throw_if_any(const Texts& problems) {
-  if (!problems.empty()) throw InputError(join(problems, "\n"));
+  if (problems.empty()) return;
+  const auto shown = problems.begin() + static_cast<long>(std::min(problems.size(), most_problems));
+  std::string text = join(Texts(problems.begin(), shown), "\n");
+  if (problems.size() > most_problems) text += "\nand " + std::to_string(problems.size() - most_problems) + " more";
+  throw InputError(text);
 }
 
 List validate(const ParameterList& list, const Spec& spec, const std::string& file) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "toile/base/error.hpp"
 
 namespace toile::body {
 namespace {
@@ -25,6 +28,13 @@ void add_rings(int columns, int first_row, int last_row, int rows, const Chart& 
 }  // namespace
 
 int divisions(double length, double size, int least) {
+  constexpr double most = 2000.0;
+  if (!(length / size <= most)) {
+    std::ostringstream text;
+    text << "triangles of " << size << " mm would cut " << length << " mm of the body into more than " << most
+         << " parts";
+    throw base::InputError(text.str());
+  }
   return std::max(least, static_cast<int>(std::ceil(length / size)));
 }
 

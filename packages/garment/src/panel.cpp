@@ -14,13 +14,17 @@ namespace toile::garment {
 namespace {
 
 constexpr int outline_points_per_side = 200;
+/// More would take the memory of a large machine before the first step.
+constexpr int most_elements_a_side = 10000, most_elements = 1000000;
 
 base::Spec panel_spec() {
   base::Spec spec("panel", "One flat piece of fabric. Its pattern is the stress-free state.");
   spec.word("material", "Name of an entry of the list Materials.")
       .real("wale angle", "deg", "Angle from the pattern's x axis to the fabric's wale direction.", 90.0)
-      .integer("elements across", "Number of elements from left to right.", base::required, base::Range::at_least(1))
-      .integer("elements along", "Number of elements from bottom to top.", base::required, base::Range::at_least(1))
+      .integer("elements across", "Number of elements from left to right.", base::required,
+               base::Range::between(1, most_elements_a_side))
+      .integer("elements along", "Number of elements from bottom to top.", base::required,
+               base::Range::between(1, most_elements_a_side))
       .choice("elements", "Kind of elements.", {"quadrilateral", "triangle"}, std::string("quadrilateral"))
       .real("grading across", "",
             "Exponent g of the node spacing towards the left and right side: nodes at 1/2 (2t)^g from either end; "
@@ -82,6 +86,9 @@ Panel build_panel(const base::List& entry) {
   options.triangles = entry.word("elements") == "triangle";
   options.grading_across = entry.real("grading across");
   options.grading_along = entry.real("grading along");
+  if (options.along > most_elements / options.across)
+    entry.fail("elements along", "with \"elements across\" = " + std::to_string(options.across) +
+                                     " the panel has more than " + std::to_string(most_elements) + " elements");
   Panel panel{entry.name(), entry.word("material"), entry.real("wale angle") * M_PI / 180.0, {}, read_shell(entry)};
   try {
     panel.grid = mesh::mesh_four_sided(entry.name(), sides, options);

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <utility>
 
+#include "body_end.hpp"
 #include "placement.hpp"
 #include "section.hpp"
 #include "toile/base/error.hpp"
@@ -106,7 +107,7 @@ mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const
     try {
       return trace_section(*body, axis, height, offset);
     } catch (const base::InputError& error) {
-      list.fail("axis bottom", error.what());
+      refuse_section(list, *body, axis, height, "axis bottom", error.what());
     }
   };
   // The panel lies where the gap is the offset, so the gap's gradient is its normal.

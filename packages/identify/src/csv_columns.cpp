@@ -2,30 +2,39 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <regex>
+#include <sstream>
 
 #include "toile/base/error.hpp"
+#include "toile/base/file.hpp"
 
 namespace toile::identify {
 namespace {
+
+constexpr std::size_t most_bytes = 64U << 20U;
 
 /// What spreadsheets put in front of UTF-8.
 const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
+  const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t from = 0;
-  for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', from)) {
-    cells.push_back(trimmed(line.substr(from, comma - from)));
-    from = comma + 1;
+/// The cells of a line; one in double quotes may hold the separator.
+std::vector<std::string> cells_of(const std::string& line, char separator) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == separator && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
   }
-  cells.push_back(trimmed(line.substr(from)));
+  for (std::string& cell : cells) cell = trimmed(cell);
   return cells;
 }
 
@@ -35,30 +44,81 @@ CsvColumn title(const std::string& cell, int number) {
   return {trimmed(cell.substr(0, open)), trimmed(cell.substr(open + 1, close - open - 1)), number, true, {}};
 }
 
-/// The titles of `line`; a line whose cells are separated otherwise is refused.
 void add_titles(CsvFile& file, const std::string& line) {
-  if (line.find(',') == std::string::npos && line.find(';') != std::string::npos)
-    throw base::InputError(file.path + ", line " + std::to_string(file.title_line) +
-                           ": columns are separated by semicolons; write commas, and points in numbers");
-  for (const std::string& cell : cells_of(line))
+  file.separator = ',';
+  for (const char separator : {'\t', ';'})
+    if (cells_of(line, separator).size() > 1) file.separator = separator;
+  for (const std::string& cell : cells_of(line, file.separator))
     file.columns.push_back(title(cell, static_cast<int>(file.columns.size()) + 1));
 }
 
 void add_row(CsvFile& file, const std::string& line, int number) {
-  const std::vector<std::string> cells = cells_of(line);
+  const std::vector<std::string> cells = cells_of(line, file.separator);
   if (cells.size() != file.columns.size())
     throw base::InputError(file.path + ", line " + std::to_string(number) + ": " + std::to_string(cells.size()) +
                            " cells, but the titles of line " + std::to_string(file.title_line) + " are " +
-                           std::to_string(file.columns.size()));
+                           std::to_string(file.columns.size()) +
+                           (file.separator == ',' && cells.size() > file.columns.size()
+                                ? "; if numbers have a decimal comma, separate the columns by semicolons"
+                                : ""));
   file.lines.push_back(number);
   for (std::size_t i = 0; i < cells.size(); ++i) file.columns[i].cells.push_back(cells[i]);
 }
 
+/// Where a number with a point or a comma stands.
+struct Sample {
+  std::string place, text;
+};
+
+/// What the numbers of a file show of their decimal mark.
+class DecimalMark {
+ public:
+  explicit DecimalMark(const CsvFile& file) : file_(file) {
+    static const std::regex number("[+-]?[0-9]*[.,][0-9]*([eE][+-]?[0-9]+)?");
+    static const std::regex perhaps_thousands("[+-]?[1-9][0-9]{0,2}[.,][0-9]{3}");
+    for (const CsvColumn& column : file.columns)
+      for (std::size_t row = 0; row < column.cells.size(); ++row) {
+        const std::string& cell = column.cells[row];
+        if (!std::regex_match(cell, number)) continue;
+        const bool comma = cell.find(',') != std::string::npos;
+        Sample& sample = comma ? comma_ : point_;
+        if (sample.text.empty()) sample = {place(file, file.lines[row], column), cell};
+        certain_ = certain_ || !std::regex_match(cell, perhaps_thousands);
+      }
+  }
+
+  char mark() const {
+    const std::string way_out = "; write the mark in the parameter \"decimal mark\"";
+    if (!comma_.text.empty() && !point_.text.empty())
+      throw base::InputError(point_.place + "\"" + point_.text + "\" has a point, but " + comma_.place + "\"" +
+                             comma_.text +
+                             "\" has a comma: write all numbers with one decimal mark, and without "
+                             "thousands separators");
+    const Sample& only = comma_.text.empty() ? point_ : comma_;
+    // Where commas separate the columns, a point is decimal: who writes decimal commas cannot write so.
+    const bool open = !only.text.empty() && !certain_ && !(file_.separator == ',' && comma_.text.empty());
+    if (open)
+      throw base::InputError(only.place + "\"" + only.text +
+                             "\" and all other numbers could have a thousands separator " +
+                             "as well as a decimal mark" + way_out);
+    return comma_.text.empty() ? '.' : ',';
+  }
+
+ private:
+  const CsvFile& file_;
+  Sample point_, comma_;
+  bool certain_ = false;  ///< a number that cannot have a thousands separator was seen
+};
+
 }  // namespace
 
-CsvFile read_csv(const std::string& path) {
-  std::ifstream stream(path);
-  if (!stream) throw base::InputError("cannot read the data file " + path);
+CsvFile read_csv(const std::string& path, const std::string& decimal_mark) {
+  if (const std::string why = base::unreadable(path); !why.empty())
+    throw base::InputError("cannot read the data file " + path + ": " + why);
+  const std::string text = base::read_file(path, "a CSV file", most_bytes);
+  if (text.find('\0') != std::string::npos)
+    throw base::InputError(path + ": this is no text, or UTF-16 text; save it as CSV in UTF-8");
+  std::istringstream stream(text);
   CsvFile file;
   file.path = path;
   int number = 0;
@@ -75,6 +135,7 @@ CsvFile read_csv(const std::string& path) {
     add_titles(file, line);
   }
   if (file.title_line == 0) throw base::InputError(path + ": the file has no line of titles");
+  file.decimal_mark = decimal_mark == "found" ? DecimalMark(file).mark() : decimal_mark == "comma" ? ',' : '.';
   return file;
 }
 
@@ -87,12 +148,16 @@ std::vector<double> numbers(const CsvFile& file, const CsvColumn& column) {
   std::vector<double> values;
   for (std::size_t row = 0; row < column.cells.size(); ++row) {
     const std::string& cell = column.cells[row];
+    std::string text = cell;
+    if (file.decimal_mark == ',')
+      for (char& c : text) c = c == ',' ? '.' : c == '.' ? ',' : c;  // a point is then no part of a number
     double value = 0.0;
-    const char* end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data() + (!cell.empty() && cell[0] == '+'), end, value);
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + (text.size() > 1 && text[0] == '+'), end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-      throw base::InputError(place(file, file.lines[row], column) +
-                             (cell.empty() ? "the cell is empty" : "\"" + cell + "\"") + ", expected a finite number");
+      throw base::InputError(
+          place(file, file.lines[row], column) + (cell.empty() ? "the cell is empty" : "\"" + cell + "\"") +
+          ", expected a finite number with a decimal " + (file.decimal_mark == ',' ? "comma" : "point"));
     values.push_back(value);
   }
   return values;

@@ -17,12 +17,18 @@ struct CsvColumn {
 struct CsvFile {
   std::string path;
   int title_line = 0;
-  std::vector<int> lines;  ///< of each row, counted from 1
+  char separator = ',';     ///< of the columns: comma, semicolon or tab
+  char decimal_mark = '.';  ///< in numbers: point or comma
+  std::vector<int> lines;   ///< of each row, counted from 1
   std::vector<CsvColumn> columns;
 };
 
-/// Throws InputError if the file cannot be read, has no line of titles, or a row has another number of cells.
-CsvFile read_csv(const std::string& path);
+/// Reads a CSV file. Columns are separated by what separates the titles: semicolons if there is one, else tabs, else
+/// commas; a cell in double quotes may hold them. `decimal_mark`: "point", "comma", or "found": as the numbers show it.
+/// Throws InputError if the file cannot be read, has no line of titles, a row has another number of cells, or the
+/// numbers do not show their decimal mark: some have a point and others a comma, or all could have thousands separators
+/// ("1.234").
+CsvFile read_csv(const std::string& path, const std::string& decimal_mark = "found");
 
 /// "path, line 4, column 2 "force": "
 std::string place(const CsvFile& file, int line, const CsvColumn& column);

@@ -174,7 +174,9 @@ base::Spec curve_spec() {
   spec.word("file",
             "CSV file, from the folder of this file. Its first line names the columns with their units: one of "
             "stretch [-], strain [- or %], displacement [mm, cm, m], and one of nominal stress [MPa, N/mm^2, kPa, Pa], "
-            "line force [N/mm, N/cm, N/m], force [N, mN, cN, kN].")
+            "line force [N/mm, N/cm, N/m], force [N, mN, cN, kN]. Columns are separated by semicolons, tabs or commas.")
+      .choice("decimal mark", "Of the numbers in the file; found: the one that they show.", {"found", "point", "comma"},
+              std::string("found"))
       .choice("kind",
               "uniaxial: strip with free lateral contraction and shear. equibiaxial: the same stretch across. strip "
               "biaxial and pure shear: no lateral contraction, two names of one state.",
@@ -201,7 +203,7 @@ base::Spec curve_spec() {
 
 Curve read_curve(const base::List& list, double thickness) {
   const std::filesystem::path folder = std::filesystem::path(list.file("file")).parent_path();
-  const CsvFile file = read_csv((folder / list.word("file")).string());
+  const CsvFile file = read_csv((folder / list.word("file")).string(), list.word("decimal mark"));
   Curve curve;
   curve.name = list.name();
   curve.kind = kind_of(list.word("kind"));

@@ -39,6 +39,7 @@ FitProblem::FitProblem(const base::List& list, const material::Laws& laws) {
     if (law_->info[i].choices == nullptr && material.has_table(law_->info[i].name))
       material.fail(law_->info[i].name, "a fitted fabric is uniform: must be one number");
   given_ = material::given_values(*law_, material);
+  for (int i = 0; i < law_->n_params; ++i) written_.push_back(material.given(law_->info[i].name));
   read_free(list.list("Free"), material);
   if (list.has_list("Constraints")) read_conditions(list.list("Constraints"));
   keeps_rising_ = list.list("Algorithm").flag("keep tangent positive");
@@ -66,6 +67,11 @@ int FitProblem::index_of(const std::string& name) const {
   for (int i = 0; i < law_->n_params; ++i)
     if (name == law_->info[i].name) return i;
   return -1;
+}
+
+bool FitProblem::prescribes(int index) const {
+  return written_[static_cast<std::size_t>(index)] ||
+         std::any_of(free_.begin(), free_.end(), [index](const FreeParameter& p) { return p.index == index; });
 }
 
 void FitProblem::read_free(const base::List& free, const base::List& material) {

@@ -43,7 +43,7 @@ Spec algorithm_spec() {
   Spec spec("Algorithm", "Global search, then a gradient polish with the exact derivatives of the law.");
   spec.choice("search", "Global search of pagmo: self-adaptive differential evolution (sade), or sga.",
               {"differential evolution", "genetic algorithm"}, std::string("differential evolution"))
-      .integer("population", "Candidates; for the genetic algorithm an even number.", 60, Range::at_least(8))
+      .integer("population", "Candidates; for the genetic algorithm an even number.", 60, Range::between(8, 100000))
       .integer("generations", "Generations of each start; 0: only the polish of the best first candidate.", 400,
                Range::at_least(0))
       .integer("starts", "Independent searches; the best one is the result, all are reported.", 3, Range::at_least(1))

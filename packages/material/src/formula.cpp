@@ -87,12 +87,19 @@ int check(const void* context, const double* params, char* message, int length) 
   return detail::check_ranges(info.data(), static_cast<int>(info.size()), params, message, length);
 }
 
-/// What goes before the text of a problem: where it is, and after it the formula with a caret below the place.
+/// What goes before the text of a problem: where it is, and after it the formula, or what of it is near, with a caret
+/// below the place.
 std::string explain(const formula::Problem& problem, std::string energy) {
+  constexpr std::size_t around = 60;
   std::replace_if(
       energy.begin(), energy.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; }, ' ');
-  return "character " + std::to_string(problem.position + 1) + ": " + problem.what() + "\n  " + energy + "\n  " +
-         std::string(problem.position, ' ') + "^";
+  const std::string where = "character " + std::to_string(problem.position + 1) + ": " + problem.what();
+  std::size_t begin = 0;
+  if (energy.size() > 4 * around) {
+    begin = problem.position > around ? problem.position - around : 0;
+    energy = energy.substr(std::min(begin, energy.size()), 2 * around);
+  }
+  return where + "\n  " + energy + "\n  " + std::string(problem.position - begin, ' ') + "^";
 }
 
 bool is_identifier(const std::string& name) {

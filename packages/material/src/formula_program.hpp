@@ -48,6 +48,9 @@ struct Problem : std::runtime_error {
   std::size_t position;
 };
 
+/// Throws Problem if the formula is so long or nested so deep that parsing it would take the whole stack.
+void check_nesting(const std::string& text);
+
 /// Translates `text`, whose names are variables(), functions, `parameters` and its own definitions. Throws Problem.
 Program translate(const std::string& text, const std::vector<std::string>& parameters);
 

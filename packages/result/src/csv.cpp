@@ -1,11 +1,10 @@
 #include "toile/result/csv.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
+#include <sstream>
 
-#include "file_access.hpp"
-#include "toile/base/error.hpp"
+#include "toile/result/replace_file.hpp"
 
 namespace toile::result {
 namespace {
@@ -61,19 +60,14 @@ void write_row(std::ostream& out, const Table& table, std::size_t row) {
 }  // namespace
 
 void write_csv(const std::string& path, const Table& table) {
-  const std::string failure = "cannot write the table '" + path + "': ";
-  check_access(path, "wb", failure);
-  std::ofstream out(path);
+  std::ostringstream out;
   out << std::setprecision(10);
   write_header(out, table);
   const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {
     write_row(out, table, row);
   }
-  out.close();
-  if (!out) {
-    throw base::InputError(failure + "the disk may be full");
-  }
+  replace_file(path, out.str(), "cannot write the table '" + path + "': ");
 }
 
 }  // namespace toile::result

@@ -1,8 +1,9 @@
 #include "exodus_file.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
-#include "file_access.hpp"
 #include "toile/base/error.hpp"
 #include "toile/result/exodus_writer.hpp"
 
@@ -14,6 +15,12 @@ std::string reason() {
   const char* function = nullptr;
   int code = 0;
   ex_get_err(&text, &function, &code);
+  // Exodus tells what it stumbled over later; the reason is of the system.
+  for (const int full : {ENOSPC, EFBIG, EDQUOT, EIO}) {
+    if (errno == full || code == full) {
+      return std::strerror(full);
+    }
+  }
   return std::string(text) + " (code " + std::to_string(code) + ")";
 }
 
@@ -26,25 +33,11 @@ int use_long_names(int id) {
 
 ExodusFile ExodusFile::create(const std::string& path) {
   const std::string failure = "cannot create the Exodus file '" + path + "': ";
-  check_access(path, "wb", failure);
+  errno = 0;
   ex_opts(EX_DEFAULT);
   int memory_word = sizeof(double);
   int file_word = sizeof(double);
-  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_NETCDF4 | EX_NOCLASSIC, &memory_word, &file_word);
-  if (id < 0) {
-    throw base::InputError(failure + reason());
-  }
-  return ExodusFile(path, use_long_names(id));
-}
-
-ExodusFile ExodusFile::open(const std::string& path) {
-  const std::string failure = "cannot open the Exodus file '" + path + "' for the next step: ";
-  check_access(path, "r+b", failure);
-  ex_opts(EX_DEFAULT);
-  int memory_word = sizeof(double);
-  int file_word = 0;
-  float version = 0.0F;
-  const int id = ex_open(path.c_str(), EX_WRITE, &memory_word, &file_word, &version);
+  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &memory_word, &file_word);
   if (id < 0) {
     throw base::InputError(failure + reason());
   }
@@ -75,14 +68,9 @@ void ExodusFile::put_variable_names(ex_entity_type type, const std::vector<std::
   check(ex_put_variable_names(id_, type, count, pointers(names).data()), "the names of fields");
 }
 
-void ExodusFile::put_variable(int step, ex_entity_type type, int index, int object,
-                              const std::vector<double>& values) const {
-  check(ex_put_var(id_, step, type, index, object, static_cast<std::int64_t>(values.size()), values.data()), "a field");
-}
-
 void ExodusFile::close() {
   const int id = std::exchange(id_, -1);
-  check(ex_close(id), "the end of a step");
+  check(ex_close(id), "the model");
 }
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {

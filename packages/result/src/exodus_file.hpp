@@ -7,11 +7,12 @@
 
 namespace toile::result {
 
-/// An open Exodus file, closed at the end of the scope. Every failing call throws InputError with path and reason.
+/// A new Exodus file, in netCDF's classic format (see ExodusStep). Every failing call throws InputError with path and
+/// reason.
 class ExodusFile {
  public:
+  /// In place of the file that is there.
   static ExodusFile create(const std::string& path);
-  static ExodusFile open(const std::string& path);
   ExodusFile(ExodusFile&& other) noexcept;
   ExodusFile(const ExodusFile&) = delete;
   ExodusFile& operator=(const ExodusFile&) = delete;
@@ -21,8 +22,6 @@ class ExodusFile {
   /// `status`: return value of an Exodus function.
   void check(int status, const char* action) const;
   void put_variable_names(ex_entity_type type, const std::vector<std::string>& names) const;
-  /// `index` counts from 1.
-  void put_variable(int step, ex_entity_type type, int index, int object, const std::vector<double>& values) const;
   /// Closes the file and reports what only then goes wrong (a full disk).
   void close();
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exodus_model.hpp"
+#include "exodus_step.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::result {
@@ -92,7 +93,8 @@ ExodusWriter::ExodusWriter(const std::string& path, const mesh::Mesh& garment, c
     pattern_x_[i] = garment.pattern[i].x();
     pattern_y_[i] = garment.pattern[i].y();
   }
-  ExodusFile file = ExodusFile::create(path);
+  new_file_ = std::make_unique<Replacement>(path, "cannot create the Exodus file '" + path + "': ");
+  ExodusFile file = ExodusFile::create(new_file_->path());
   put_model(file, garment, body, fields);
   file.close();
 }
@@ -164,19 +166,20 @@ void ExodusWriter::write_step(double time, const StepData& data) {
   const auto blocks = block_variables(data);
   const auto global = global_variables(data);
   const int step = steps_ + 1;
-  ExodusFile file = ExodusFile::open(path_);
-  file.check(ex_put_time(file.id(), step, &time), "the time");
+  ExodusStep file(path(), step);
   int index = 0;
   for (const auto& values : nodal) {
-    file.put_variable(step, EX_NODAL, ++index, 1, values);
+    file.put_nodal(++index, values);
   }
   for (const BlockVariable& variable : blocks) {
-    file.put_variable(step, EX_ELEM_BLOCK, variable.index, variable.block, variable.values);
+    file.put_block(variable.index, variable.block, variable.values);
   }
-  if (!global.empty()) {
-    file.put_variable(step, EX_GLOBAL, 1, 0, global);
+  file.put_global(global);
+  file.finish(time);
+  if (new_file_) {
+    new_file_->take_place();
+    new_file_.reset();
   }
-  file.close();
   steps_ = step;
 }
 

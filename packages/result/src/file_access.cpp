@@ -1,7 +1,9 @@
 #include "file_access.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -9,12 +11,12 @@
 
 namespace toile::result {
 
-void check_access(const std::string& path, const char* mode, const std::string& failure) {
-  std::FILE* probe = std::fopen(path.c_str(), mode);
-  if (probe == nullptr) {
+void check_access(const std::string& path, const std::string& failure, bool to_write) {
+  const int probe = open(path.c_str(), (to_write ? O_RDWR | O_NOFOLLOW : O_RDONLY) | O_NONBLOCK | O_CLOEXEC);
+  if (probe < 0) {
     throw base::InputError(failure + std::strerror(errno));
   }
-  std::fclose(probe);
+  close(probe);
   setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
 }
 

@@ -17,28 +17,27 @@ void print_no_stacks() {
 }  // namespace
 
 Hdf5Handle::~Hdf5Handle() {
-  release();
+  if (id_ >= 0) {
+    closer_(id_);
+  }
 }
 
-herr_t Hdf5Handle::release() {
-  const hid_t id = std::exchange(id_, -1);
-  return id >= 0 ? closer_(id) : 0;
-}
-
-Hdf5File Hdf5File::create(const std::string& path, const std::string& failure) {
-  check_access(path, "wb", failure);
+Hdf5File Hdf5File::in_memory(const std::string& failure) {
+  constexpr std::size_t growth = 1U << 16U;
   print_no_stacks();
-  Hdf5Handle handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle driver(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(driver.id(), growth, false);
+  Hdf5Handle handle(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, driver.id()), H5Fclose);
   if (!handle.valid()) {
     throw base::InputError(failure + "HDF5 could not create it");
   }
   return {std::move(handle), failure};
 }
 
-Hdf5File Hdf5File::open(const std::string& path, unsigned flags, const std::string& failure) {
-  check_access(path, flags == H5F_ACC_RDONLY ? "rb" : "r+b", failure);
+Hdf5File Hdf5File::open_to_read(const std::string& path, const std::string& failure) {
+  check_access(path, failure);
   print_no_stacks();
-  Hdf5Handle handle(H5Fopen(path.c_str(), flags, H5P_DEFAULT), H5Fclose);
+  Hdf5Handle handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!handle.valid()) {
     throw base::InputError(failure + "it is not a complete HDF5 file");
   }
@@ -56,9 +55,13 @@ void Hdf5File::check(herr_t status, const std::string& what) const {
   }
 }
 
-void Hdf5File::close() {
-  check(H5Fflush(id(), H5F_SCOPE_GLOBAL), "writing to disk");
-  check(handle_.release(), "closing the file");
+std::string Hdf5File::image() const {
+  check(H5Fflush(id(), H5F_SCOPE_GLOBAL), "laying it out");
+  const ssize_t size = H5Fget_file_image(id(), nullptr, 0);
+  check(size < 0 ? -1 : 0, "laying it out");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  check(H5Fget_file_image(id(), bytes.data(), bytes.size()) < 0 ? -1 : 0, "laying it out");
+  return bytes;
 }
 
 void Hdf5File::put_text_attribute(hid_t object, const char* name, const std::string& value) const {

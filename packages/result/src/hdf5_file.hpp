@@ -17,8 +17,6 @@ class Hdf5Handle {
   ~Hdf5Handle();
   hid_t id() const { return id_; }
   bool valid() const { return id_ >= 0; }
-  /// Releases it now; negative if that fails.
-  herr_t release();
 
  private:
   hid_t id_;
@@ -28,16 +26,17 @@ class Hdf5Handle {
 /// A file; every failing call throws InputError that starts with `failure`.
 class Hdf5File {
  public:
-  static Hdf5File create(const std::string& path, const std::string& failure);
-  /// `flags`: H5F_ACC_RDONLY or H5F_ACC_RDWR.
-  static Hdf5File open(const std::string& path, unsigned flags, const std::string& failure);
+  /// A new file in memory, whose bytes image() gives: HDF5 itself can crash on a full disk, and does not say that it
+  /// is.
+  static Hdf5File in_memory(const std::string& failure);
+  static Hdf5File open_to_read(const std::string& path, const std::string& failure);
 
   hid_t id() const { return handle_.id(); }
   /// Takes the result of an HDF5 function that opens or creates something.
   Hdf5Handle own(hid_t id, herr_t (*closer)(hid_t), const std::string& what) const;
   void check(herr_t status, const std::string& what) const;
-  /// Writes everything and closes the file.
-  void close();
+  /// The file as it is to be written to disk.
+  std::string image() const;
 
   void put_text_attribute(hid_t object, const char* name, const std::string& value) const;
   /// Names of the links in a group, in alphabetical order.

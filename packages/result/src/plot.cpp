@@ -5,14 +5,17 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <thread>
 
-#include "file_access.hpp"
-#include "toile/base/error.hpp"
+#include "toile/result/replace_file.hpp"
 
 extern char** environ;
 
@@ -41,14 +44,7 @@ std::string label(const std::string& text) {
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  const std::string failure = "cannot write the plot '" + path + "': ";
-  check_access(path, "wb", failure);
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) {
-    throw base::InputError(failure + "the disk may be full");
-  }
+  replace_file(path, text, "cannot write the plot '" + path + "': ");
 }
 
 /// One block (gnuplot: index) a series: x, y, label; blocks are separated by two empty lines.
@@ -145,34 +141,90 @@ std::string script_text(const std::string& name, const Plot& plot) {
   return out.str();
 }
 
+/// Waits for the end of a process, and ends it after `limit` seconds. Its status as of waitpid(); empty: it was ended.
+std::optional<int> wait_for(pid_t process, double limit) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(limit);
+  int status = 0;
+  while (waitpid(process, &status, WNOHANG) == 0) {
+    if (Clock::now() > end) {
+      kill(-process, SIGKILL);
+      waitpid(process, &status, 0);
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return status;
+}
+
 /// Runs gnuplot in `folder` without a display or messages. Returns what went wrong, empty if nothing did.
-std::string run_gnuplot(const std::string& folder, const std::string& script) {
+std::string run_gnuplot(const std::string& folder, const std::string& script, double limit) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+  // A process group of its own, so that what it started ends with it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   std::string program = "gnuplot";
   std::string argument = script;
   char* arguments[] = {program.data(), argument.data(), nullptr};
   pid_t process = 0;
-  const int error = posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
+  const int error = posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (error != 0 || waitpid(process, &status, 0) != process) {
+  if (error != 0) {
     return "gnuplot was not found";
   }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "gnuplot failed";
+  const std::optional<int> status = wait_for(process, limit);
+  if (!status) {
+    std::ostringstream text;
+    text << "gnuplot did not end in " << limit << " s and was ended";
+    return text.str();
+  }
+  return WIFEXITED(*status) && WEXITSTATUS(*status) == 0 ? "" : "gnuplot failed";
+}
+
+/// Whether a picture is there to its end: gnuplot does not notice a full disk.
+bool is_complete(const std::string& path, const std::string& end) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::size_t at = content.rfind(end);
+  return at != std::string::npos && content.find_first_not_of(" \r\n", at + end.size()) == std::string::npos;
+}
+
+/// What is wrong with the pictures that gnuplot says it drew, which are then removed; empty if nothing is.
+std::string check_pictures(const std::string& stem) {
+  const std::string png_end("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
+  for (const auto& [path, end] : {std::pair(stem + ".svg", std::string("</svg>")), std::pair(stem + ".png", png_end)}) {
+    if (!is_complete(path, end)) {
+      remove_file(path, "cannot remove the picture '" + path + "': ");
+      return "gnuplot left '" + path + "' incomplete; the disk may be full";
+    }
+  }
+  return "";
 }
 
 }  // namespace
 
-std::optional<std::string> write_plot(const std::string& folder, const std::string& name, const Plot& plot) {
+std::optional<std::string> write_plot(const std::string& folder, const std::string& name, const Plot& plot,
+                                      double limit) {
   const std::string stem = folder + "/" + name;
   const std::string script = name + ".gp";
   write_text(stem + ".dat", data_text(plot));
   write_text(folder + "/" + script, script_text(name, plot));
-  const std::string problem = run_gnuplot(folder, script);
+  // gnuplot would write through a link.
+  for (const char* ending : {".svg", ".png"}) {
+    remove_file(stem + ending, "cannot replace the picture '" + stem + ending + "': ");
+  }
+  std::string problem = run_gnuplot(folder, script, limit);
+  if (problem.empty()) {
+    problem = check_pictures(stem);
+  }
   if (problem.empty()) {
     return std::nullopt;
   }

@@ -1,14 +1,8 @@
 #include "toile/result/state_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-
 #include "hdf5_file.hpp"
 #include "toile/base/error.hpp"
+#include "toile/result/replace_file.hpp"
 
 namespace toile::result {
 namespace {
@@ -115,56 +109,21 @@ void check_version(const Hdf5File& file, const std::string& failure) {
   }
 }
 
-/// Removes the temporary file unless it was renamed.
-class TemporaryFile {
- public:
-  TemporaryFile(std::string path, std::string failure) : path_(std::move(path)), failure_(std::move(failure)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (created_) {
-      std::remove(path_.c_str());
-    }
-  }
-  const std::string& path() const { return path_; }
-  void created() { created_ = true; }
-  /// Waits until the data are on disk: a rename that overtakes them could leave an empty file after a power cut.
-  void rename_to(const std::string& target) {
-    const int descriptor = ::open(path_.c_str(), O_RDONLY);
-    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-    if (descriptor >= 0) {
-      ::close(descriptor);
-    }
-    if (!synced || std::rename(path_.c_str(), target.c_str()) != 0) {
-      throw base::InputError(failure_ + std::strerror(errno));
-    }
-    created_ = false;
-  }
-
- private:
-  std::string path_;
-  std::string failure_;
-  bool created_ = false;
-};
-
 }  // namespace
 
 void write_state(const std::string& path, const StateData& state) {
   const std::string failure = "cannot write the state file '" + path + "': ";
-  TemporaryFile temporary(path + ".new", failure);
-  Hdf5File file = Hdf5File::create(temporary.path(), failure);
-  temporary.created();
+  const Hdf5File file = Hdf5File::in_memory(failure);
   put_version(file);
   put_arrays(file, state.reals);
   put_arrays(file, state.integers);
   put_metadata(file, state.metadata);
-  file.close();
-  temporary.rename_to(path);
+  replace_file(path, file.image(), failure);
 }
 
 StateData read_state(const std::string& path) {
   const std::string failure = "cannot read the state file '" + path + "': ";
-  const Hdf5File file = Hdf5File::open(path, H5F_ACC_RDONLY, failure);
+  const Hdf5File file = Hdf5File::open_to_read(path, failure);
   check_version(file, failure);
   StateData state;
   state.reals = get_arrays<double>(file);

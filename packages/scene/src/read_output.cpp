@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "toile/base/error.hpp"
 #include "toile/mesh/find_nodes.hpp"
 
 namespace toile::scene {
@@ -52,6 +53,11 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
   if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
   out.body_size = list.real("body size");
+  try {
+    if (problem.surface != nullptr) problem.surface->triangles(out.body_size);
+  } catch (const base::InputError& error) {
+    list.fail("body size", error.what());
+  }
   if (list.has_list("Levels"))
     for (const base::List& entry : list.list("Levels").entries())
       out.levels.push_back({entry.name(), entry.real("height")});

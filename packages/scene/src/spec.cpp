@@ -40,7 +40,7 @@ Spec output_spec() {
              base::Reals{0.0, 0.0, 0.0})
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
       .integer("stations", "Points of the pressure curve along the axis, at least 2; 0: no curve.", 0,
-               Range::at_least(0))
+               Range::between(0, 10000))
       .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
             Range::positive())
       .list(Spec("Levels", "Named heights, for instance the hosiery levels.").entries(level))

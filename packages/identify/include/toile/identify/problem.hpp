@@ -39,6 +39,10 @@ class FitProblem {
   const std::vector<LinearCondition>& conditions() const { return conditions_; }
   const std::vector<Curve>& curves() const { return curves_; }
   bool keeps_rising() const { return keeps_rising_; }
+  /// Index of a parameter of the law; negative: it has none of this name.
+  int index_of(const std::string& name) const;
+  /// Whether the file gives this parameter a value or lets it be found; a default or a set's value does not count.
+  bool prescribes(int index) const;
   /// Whether a curve that is fitted is a clamped strip.
   bool fits_strips() const;
 
@@ -60,13 +64,13 @@ class FitProblem {
   void read_free(const base::List& free, const base::List& material);
   void read_conditions(const base::List& list);
   void find_anchor(const base::List& list);
-  int index_of(const std::string& name) const;
   base::Texts names() const;
 
   material::Laws::Law law_;
   std::string material_name_;
   double thickness_;
   std::vector<double> given_;
+  std::vector<bool> written_;  ///< [n_params] by the file itself
   std::vector<FreeParameter> free_;
   std::vector<LinearCondition> conditions_;
   std::vector<Curve> curves_;

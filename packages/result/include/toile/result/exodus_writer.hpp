@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "toile/body/surface.hpp"
 #include "toile/mesh/mesh.hpp"
 #include "toile/result/field_name.hpp"
+#include "toile/result/replace_file.hpp"
 
 namespace toile::result {
 
@@ -41,9 +43,12 @@ struct StepData {
 /// own order, then the body's vertices.
 ///
 /// The file is closed between steps, so that it is complete after each of them and can be opened while the run goes on.
+/// A step that is not whole, because the disk is full or the run was killed, does not count: readers see those before
+/// it.
 class ExodusWriter {
  public:
-  /// Creates the file, replacing an older one. `body` may be null. Arguments are copied as far as they are needed.
+  /// Creates the file beside an older one, whose place it takes with the first step. `body` may be null. Arguments are
+  /// copied as far as they are needed.
   /// Throws InputError if the file cannot be created or a name is longer than `longest_name` or used twice.
   ExodusWriter(const std::string& path, const mesh::Mesh& garment, const body::TriangleMesh* body,
                const FieldNames& fields);
@@ -53,7 +58,8 @@ class ExodusWriter {
   void write_step(double time, const StepData& data);
 
   int steps() const { return steps_; }
-  const std::string& path() const { return path_; }
+  /// Where the file is now: another one before the first step.
+  const std::string& path() const { return new_file_ ? new_file_->path() : path_; }
 
  private:
   struct BlockVariable {
@@ -67,6 +73,7 @@ class ExodusWriter {
   std::vector<double> global_variables(const StepData& data) const;
 
   std::string path_;
+  std::unique_ptr<Replacement> new_file_;  ///< until the first step is in it
   FieldNames fields_;
   std::vector<int> block_sizes_;   ///< elements of the garment's blocks
   std::vector<double> pattern_x_;  ///< [node] zero on the body

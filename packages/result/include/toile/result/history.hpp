@@ -8,10 +8,10 @@
 namespace toile::result {
 
 /// Time histories in one HDF5 file: a one-dimensional dataset a column, named as the column, with the attribute "unit".
-/// The file is closed between rows, so that it is complete after each of them.
+/// It is replaced as a whole by each row (see Replacement), so that its columns are always complete.
 class History {
  public:
-  /// Creates the file, replacing an older one. Throws InputError if that is not possible.
+  /// Writes nothing: an older file stays until there is a row.
   History(const std::string& path, const std::vector<FieldName>& columns);
 
   /// Appends one value to each column, in their order. Throws InputError if the file cannot be written,
@@ -22,8 +22,11 @@ class History {
   const std::string& path() const { return path_; }
 
  private:
+  void write() const;
+
   std::string path_;
   std::vector<FieldName> columns_;
+  std::vector<std::vector<double>> values_;  ///< [column][row]
   int rows_ = 0;
 };
 

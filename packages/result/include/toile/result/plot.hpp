@@ -34,8 +34,10 @@ struct Plot {
 };
 
 /// Writes `folder`/`name`.dat (the points) and `folder`/`name`.gp (a script that can be edited and run again in that
-/// folder), and lets gnuplot draw `name`.svg and `name`.png from them. Returns a warning if gnuplot is not there or
-/// fails; a plot is never a reason to end a run. Throws InputError if the folder cannot be written.
-std::optional<std::string> write_plot(const std::string& folder, const std::string& name, const Plot& plot);
+/// folder), and lets gnuplot draw `name`.svg and `name`.png from them. Returns a warning if gnuplot is not there,
+/// fails, takes longer than `limit` (s) or leaves a picture that is not complete, which is removed; a plot is never a
+/// reason to end a run. Throws InputError if the folder cannot be written.
+std::optional<std::string> write_plot(const std::string& folder, const std::string& name, const Plot& plot,
+                                      double limit = 60.0);
 
 }  // namespace toile::result

@@ -13,9 +13,8 @@ struct StateData {
   std::map<std::string, std::string> metadata;  ///< for instance the scene's file and the stage's name
 };
 
-/// Writes the state as HDF5 (groups "reals", "integers", "metadata"): first under a temporary name (path + ".new"),
-/// then, when it is safely on disk, renamed, so that `path` is always a complete state, the old one or the new one.
-/// Throws InputError if it cannot be written; the older file is then untouched.
+/// Writes the state as HDF5 (groups "reals", "integers", "metadata") in place of an older one, as a whole or not at all
+/// (see Replacement). Throws InputError if it cannot be written; the older file is then untouched.
 void write_state(const std::string& path, const StateData& state);
 
 /// The same arrays, bit for bit. Throws InputError if the file is missing, damaged or not a state of this program.
