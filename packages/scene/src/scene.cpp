@@ -138,6 +138,7 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
 void Scene::build_problem(const base::List& list, int ranks) {
   problem_.mesh = &garment_.mesh;
   problem_.clusters = garment_.clusters.members;
+  problem_.seam = garment::seam_names(garment_.clusters, garment_.seams);
   problem_.surface = surface_.get();
   const auto supports = optional_list(list, "Supports");
   if (supports) {

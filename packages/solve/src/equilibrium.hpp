@@ -16,6 +16,8 @@
 
 namespace toile::solve {
 
+class Watch;
+
 /// Seams and load as functions of the stage's parameter s in [0, 1].
 struct Drive {
   double seam_start = 0.0, seam_end = 0.0;
@@ -82,6 +84,10 @@ class Equilibrium {
   /// Elements of all ranks outside the calibrated range of their fabric, at the last residual.
   int extrapolated() const { return extrapolated_; }
   const LinearSolver& linear() const { return linear_; }
+  const Layout& layout() const { return layout_; }
+  /// What follows the iterations, or null.
+  void set_watch(Watch* watch) { watch_ = watch; }
+  Watch* watch() const { return watch_; }
   /// The next tangent is factorised afresh.
   void renew_factorisation() { want_fresh_ = true; }
 
@@ -182,6 +188,7 @@ class Equilibrium {
   int unshifted_pivots_ = -1;
   double last_shift_ = 0.0;
   int extrapolated_ = 0;
+  Watch* watch_ = nullptr;
   bool want_fresh_ = true;
   bool seek_minimum_ = true;
   std::vector<double> free_part_;      ///< [owned cluster]

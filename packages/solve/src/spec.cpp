@@ -13,7 +13,18 @@ using base::Range;
 using base::Spec;
 
 Spec stage_common(const std::string& name, const std::string& text) {
-  return Spec(name, text).words("release", "Names of supports that end with the start of this stage.", base::Texts{});
+  return Spec(name, text)
+      .words("release", "Names of supports that end with the start of this stage.", base::Texts{})
+      .real(
+          "most time", "s",
+          "Time after which the stage ends where it is, with its last converged state; 0: no limit. See also the list "
+          "\"Solver\".",
+          0.0, Range::at_least(0))
+      .integer(
+          "most iterations in all",
+          "Newton iterations of all steps, failed attempts and the search for the final state included, after which "
+          "the stage ends where it is.",
+          5000, Range::at_least(1));
 }
 
 Spec& add_steps(Spec& spec) {
@@ -92,6 +103,8 @@ std::vector<StageOptions> read_stages(const List& list) {
     const std::string& type = entry.word("type");
     s.type = type == "sew" ? StageType::sew : type == "load" ? StageType::load : StageType::settle;
     s.released = entry.words("release");
+    s.most_time = entry.real("most time");
+    s.most_iterations = entry.integer("most iterations in all");
     if (s.type == StageType::load) {
       s.target = entry.real("target");
       s.arc_length = entry.word("continuation") == "arc length";
@@ -131,7 +144,9 @@ Spec solver_spec() {
       .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
       .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
-      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1));
+      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1))
+      .real("most time", "s", "Time after which the run ends where it is, with its last converged state; 0: no limit.",
+            0.0, Range::at_least(0));
 }
 
 SolverOptions read_solver(const List& list) {
@@ -142,6 +157,7 @@ SolverOptions read_solver(const List& list) {
   o.newton.tolerance = list.real("tolerance");
   o.newton.gap_tolerance = list.real("gap tolerance");
   o.newton.max_iterations = list.integer("most iterations");
+  o.most_time = list.real("most time");
   return o;
 }
 

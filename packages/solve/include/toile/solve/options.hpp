@@ -50,6 +50,8 @@ struct StageOptions {
   double smallest_step = 1e-4;
   double largest_step = 0.5;
   int max_steps = 200;
+  double most_time = 0.0;             ///< s; 0: no limit
+  int most_iterations = 5000;         ///< of Newton's method, failed attempts included
   bool arc_length = false;            ///< pseudo-arc-length instead of natural continuation
   std::optional<PathTarget> until;    ///< of arc length: where it ends instead of at its target
   bool stability_every_step = false;  ///< count negative pivots at every accepted step, not at the end only
@@ -60,6 +62,7 @@ struct StageOptions {
 struct SolverOptions {
   LinearOptions linear;
   NewtonOptions newton;
+  double most_time = 0.0;  ///< of the run, s; 0: no limit
 };
 
 }  // namespace toile::solve

@@ -59,6 +59,18 @@ struct StepReport {
   double seconds = 0.0;  ///< wall time since the start of the run
 };
 
+/// An iteration of Newton's method, while a step is sought.
+struct IterationReport {
+  std::string stage;
+  double parameter = 0.0;  ///< that is sought, of the stage, 0..1
+  int iteration = 0;       ///< of this attempt
+  int cut_backs = 0;       ///< failed attempts since the last accepted step
+  bool relaxing = false;   ///< the undamped end of the stage is sought
+  double residual = 0.0;   ///< relative force residual
+  double gap = 0.0;        ///< largest violation of contact, mm
+};
+using IterationObserver = std::function<void(const IterationReport&)>;
+
 struct SolveStatistics {
   int newton_iterations = 0;
   int linear_iterations = 0;
@@ -80,6 +92,11 @@ class Simulation {
 
   /// Called on every rank after each accepted step.
   void observe(Observer observer);
+  /// Called on every rank after each iteration.
+  void observe_iterations(IterationObserver observer);
+  /// `wanted` is asked on every rank after each iteration: empty, or why the run is to end. Then the stage fails; one
+  /// rank is enough.
+  void stop_when(std::function<std::string()> wanted);
   /// Starts from a configuration that is not in equilibrium; contact forces are estimated from it.
   void set_start(const State& state);
   /// Continues from a converged state with its contact forces (restart).
