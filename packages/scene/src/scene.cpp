@@ -146,6 +146,7 @@ void Scene::build_problem(const base::List& list, int ranks) {
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
+  solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
     problem_.loads = std::move(read.nodal);
