@@ -15,9 +15,9 @@ namespace {
 struct MovedNode {
   size_t support = 0;
   int node = -1, master = -1;
-  solve::Vec3 direction = solve::Vec3::Zero();  ///< held, unit
-  double way = 0.0;                             ///< mm, along it
-  double side = 0.0;                            ///< mm, mean side of the elements of its panel
+  Eigen::Index direction = 0;
+  double way = 0.0;   ///< mm
+  double side = 0.0;  ///< mm, mean side of the elements of its panel
 };
 
 /// Supports that have ended when the seams start to close; without a stage that sews they are closed from the start.
@@ -65,10 +65,9 @@ std::vector<MovedNode> moved_nodes(const Scene& scene) {
     for (const int node : support.nodes)
       for (Eigen::Index d = 0; d < 3; ++d) {
         const int master = garment.clusters.master(node);
-        const solve::Vec3 along = solve::Vec3::Unit(d);
-        const double way = std::abs(along.dot(garment.mesh.placed[master] - garment.mesh.placed[node]));
+        const double way = std::abs(garment.mesh.placed[master][d] - garment.mesh.placed[node][d]);
         if (!support.held[static_cast<size_t>(d)] || way <= std::max(worst.way, counts * side[node])) continue;
-        worst = {s, node, master, along, way, side[node]};
+        worst = {s, node, master, d, way, side[node]};
       }
     if (worst.node >= 0) all.push_back(worst);
   }
@@ -81,7 +80,7 @@ bool is_too_far(const MovedNode& moved) {
 
 std::string text(const Scene& scene, const MovedNode& moved) {
   const garment::Garment& garment = scene.garment();
-  const std::string axis = direction_text(moved.direction);
+  const std::string axis(1, "xyz"[moved.direction]);
   return "contradicts the seam \"" + seam_of(garment, moved.node).name + "\": the support \"" +
          scene.problem().supports[moved.support].name + "\" holds the node at " +
          place_text(garment.mesh.placed[moved.node]) + " in " + axis + ", and the seam moves it by " +

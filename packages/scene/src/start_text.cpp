@@ -15,22 +15,8 @@ std::string short_number(double value) {
   return out.str();
 }
 
-namespace {
-
-std::string components(const solve::Vec3& v) {
-  return "(" + short_number(v[0]) + ", " + short_number(v[1]) + ", " + short_number(v[2]) + ")";
-}
-
-}  // namespace
-
 std::string place_text(const solve::Vec3& place) {
-  return components(place) + " mm";
-}
-
-std::string direction_text(const solve::Vec3& direction) {
-  for (Eigen::Index d = 0; d < 3; ++d)
-    if (direction == solve::Vec3::Unit(d)) return {"xyz"[d]};
-  return components(direction);
+  return "(" + short_number(place[0]) + ", " + short_number(place[1]) + ", " + short_number(place[2]) + ") mm";
 }
 
 std::string message_of(const base::List& entry, const std::string& parameter, const std::string& problem) {

@@ -12,8 +12,6 @@ namespace toile::scene {
 std::string short_number(double value);
 /// "(x, y, z) mm".
 std::string place_text(const solve::Vec3& place);
-/// "x", "y" or "z"; of another direction its components.
-std::string direction_text(const solve::Vec3& direction);
 /// The message that List::fail throws.
 std::string message_of(const base::List& entry, const std::string& parameter, const std::string& problem);
 
