@@ -142,8 +142,10 @@ def value_range(grids, field):
     low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
     if 0.0 <= low < 0.5 * high:
         low = 0.0
-    # Rounding of a field that is the same everywhere is no difference.
-    return low, (high if high - low > 1e-9 * abs(high) else low + (abs(low) or 1.0))
+    if high - low > 1e-9 * max(abs(low), abs(high)):
+        return low, high
+    # A field that is the same everywhere, but for rounding.
+    return (min(low, 0.0), max(high, 0.0)) if low != 0.0 or high != 0.0 else (0.0, 1.0)
 
 
 def label_format(limits, number):
@@ -153,8 +155,8 @@ def label_format(limits, number):
     return f"%.{max(digits, 3)}g"
 
 
-def colour_map(vtk, limits, grey_at_zero=False):
-    """256 colours over the limits; `grey_at_zero` shows what nothing touches in grey."""
+def colour_map(vtk, limits, grey_below=False):
+    """256 colours over the limits; `grey_below` shows what nothing touches, at zero or below the limits, in grey."""
     function = vtk.vtkColorTransferFunction()
     for value, red, green, blue in COLOURS:
         function.AddRGBPoint(value, red, green, blue)
@@ -163,8 +165,9 @@ def colour_map(vtk, limits, grey_at_zero=False):
     for i in range(256):
         table.SetTableValue(i, *function.GetColor(i / 255.0))
     table.SetRange(*limits)
-    if grey_at_zero:
-        table.SetRange(limits[0] + 1e-3 * (limits[1] - limits[0]), limits[1])
+    if grey_below:
+        shift = 1e-3 if limits[0] == 0.0 else -1e-3
+        table.SetRange(limits[0] + shift * (limits[1] - limits[0]), limits[1])
         table.SetBelowRangeColor(*GREY, 1.0)
         table.UseBelowRangeColorOn()
     return table
@@ -286,7 +289,7 @@ def build_scene(vtk, blocks, options, label):
         renderer.AddActor(actor(vtk, body))
         if has_field(body, field):
             shift = 1.15 * extent(bounds_of(blocks.values()), axes[1])
-            beside = actor(vtk, body, field, colour_map(vtk, limits, grey_at_zero=limits[0] == 0.0))
+            beside = actor(vtk, body, field, colour_map(vtk, limits, grey_below=limits[0] >= 0.0))
             beside.SetPosition(*[shift * component for component in axes[1]])
             renderer.AddActor(beside)
     ratio = look_at(renderer, *axes)

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "exodus.hpp"
 #include "program.hpp"
 #include "toile/result/state_file.hpp"
@@ -69,8 +71,9 @@ TEST_F(FailedRun, RunsOutOfSteps) {
   EXPECT_GT(ExodusStep(path("out/results.exo")).steps, 2);
 }
 
-// A run whose first step fails says that nothing was written, and leaves the results of an earlier run as they are.
-TEST_F(FailedRun, LeavesEarlierResultsIfNothingWasAccepted) {
+// A run whose first step fails writes its start to a file of its own, and leaves the results of an earlier run as they
+// are.
+TEST_F(FailedRun, WritesItsStartIfNothingWasAccepted) {
   write_scene("sleeve", {{"<ParameterList name=\"Stages\">",
                           "<ParameterList name=\"Solver\"><Parameter name=\"most iterations\" type=\"int\" "
                           "value=\"1\"/></ParameterList><ParameterList name=\"Stages\">"}});
@@ -78,8 +81,11 @@ TEST_F(FailedRun, LeavesEarlierResultsIfNothingWasAccepted) {
   const Outcome run = toile("run scene.xml --output out");
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, AllOf(HasSubstr("stage \"sew\" could not reach its end"),
-                             HasSubstr("No step was accepted, and nothing was written to out.")));
+                             HasSubstr("No step was accepted; the start is in out/start.exo.")));
   EXPECT_EQ(read("out/results.exo"), "of an earlier run");
+  const ExodusStep start(path("out/start.exo"));
+  EXPECT_EQ(start.steps, 1);
+  EXPECT_NEAR(std::hypot(start.position[0][0], start.position[1][0]), 60.3, 1e-6);
 }
 
 // Sewing that fails after accepted steps says how far it came, keeps its last state, and tells its notes as well.
@@ -110,7 +116,7 @@ TEST_F(FailedRun, SettleThatAcceptsNothing) {
   const Outcome run = toile("run scene.xml --output out");
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("stage \"sew\": no undamped equilibrium was found at its end, and no step of it was "
-                                 "accepted. No step was accepted, and nothing was written to out."));
+                                 "accepted. No step was accepted; the start is in out/start.exo."));
 }
 
 }  // namespace

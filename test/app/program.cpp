@@ -67,7 +67,8 @@ bool ProgramTest::exists(const std::string& file) const {
 }
 
 std::string summary_line(const std::string& out, const std::string& label) {
-  const size_t at = out.find(label);
+  const size_t summary = out.find("\nSummary\n");
+  const size_t at = out.find(label, summary == std::string::npos ? 0 : summary);
   if (at == std::string::npos) return "no \"" + label + "\" in the summary";
   const size_t begin = at + label.size();
   return out.substr(begin, out.find('\n', begin) - begin);

@@ -9,6 +9,7 @@
 
 #include "lists.hpp"
 #include "surfaces.hpp"
+#include "toile/body/analytic.hpp"
 
 namespace toile::garment {
 namespace {
@@ -248,6 +249,20 @@ TEST(Placement, BadWrapsAreRefused) {
               HasSubstr("the axis is not inside the body at the height 100 mm"));
   EXPECT_THAT(message([](List&) {}, 400.0),
               HasSubstr("the pattern is 400 mm wide at the height 100 mm, but the girth there is 376.991 mm"));
+}
+
+// A panel that is wrapped beyond an end of its body is refused with that end and its own heights.
+TEST(Placement, BodyThatEnds) {
+  const auto body = body::ellipsoid(60.0, 130.0);
+  const auto message = [&body](double from, double to) {
+    Teuchos::ParameterList panels = wrapped("wrap", 100.0, 50.0, 4, 5);
+    placement_of(panels).set("from", from);
+    placement_of(panels).set("to", to);
+    return input_error([&] { build(panels, body.get()); });
+  };
+  EXPECT_THAT(message(40.0, 300.0), HasSubstr("parameter \"to\" = 300: the body ends at 130 mm along the axis, but the "
+                                              "panel is wrapped from 40 to 300 mm"));
+  EXPECT_THAT(message(-200.0, 0.0), HasSubstr("parameter \"from\" = -200: the body ends at -130 mm along the axis"));
 }
 
 // A wrapped panel needs a body, a free one its two radii.

@@ -4,6 +4,8 @@
 
 #include "base/scene.hpp"
 #include "fabric_tests.hpp"
+#include "mutation.hpp"
+#include "toile/base/error.hpp"
 #include "toile/identify/residuals.hpp"
 
 namespace toile::identify::test {
@@ -150,6 +152,33 @@ TEST(Data, AmbiguousDecimalMark) {
       HasSubstr("line 2: 4 cells, but the titles of line 1 are 2; if numbers have a decimal comma, separate the "
                 "columns by semicolons"));
   EXPECT_THAT(data_error(titles + "1,1; 1.234,5\n1,2; 0,2\n"), HasSubstr("\"1.234,5\", expected a finite number"));
+}
+
+// Whatever is changed in a table, its curve is read or it is refused as the user's.
+TEST(Data, TablesWithFaultsAreReadOrRefused) {
+  const FitFolder folder;
+  folder.write("fit.xml", list("fit", list("Material", list("knit", material)) + list("Free", mu) +
+                                          list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                                        parameter("angle", "double", "0"))) +
+                                          list("Algorithm", "")));
+  const base::List input = folder.read();
+  int read = 0, refused = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const std::string text = toile::test::Mutation(seed)(
+        "# a strip\nstretch [-]; room [C]; nominal stress [MPa]; date\n"
+        "1,05; ; 0,01; 1.5.2024\n1,1; ; 0,02; \n1,2; ; 0,0415; \n");
+    folder.write("wale.csv", text);
+    try {
+      FitProblem problem(input);
+      ++read;
+    } catch (const base::InputError&) {
+      ++refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << text << ": " << error.what();
+    }
+  }
+  EXPECT_GT(read + refused, 999);
+  EXPECT_GT(refused, 100);
 }
 
 // What is no text in UTF-8, or no file, is refused with the reason.

@@ -134,6 +134,36 @@ for stretch in (0.02, 1.0, 40.0):
       << read_text(folder.file("messages"));
 }
 
+// The colours of a field start from zero unless that would hide its differences, and those of a constant one too: what
+// is touched has another colour on the body than what is not.
+TEST_F(Render, ColoursTellTouchedFromUntouched) {
+  const TemporaryFolder folder;
+  const std::string input = write_example(folder);
+  EXPECT_EQ(run_python("blocks = render.read(vtk, '" + input + "', -1)\n" + R"(
+grid = blocks['tube']
+def limits(low, high):
+  values = grid.GetPointData().GetArray('pressure')
+  for i in range(values.GetNumberOfTuples()): values.SetValue(i, low if i % 2 else high)
+  values.Modified()
+  return render.value_range([grid], 'pressure')
+check(limits(0.1, 0.8) == (0.0, 0.8), 'from zero')
+check(limits(0.7, 0.8) == (0.7, 0.8), 'narrow')
+check(limits(0.8, 0.8 + 1e-13)[0] == 0.0, 'constant')
+check(limits(-0.8, -0.8) == (-0.8, 0.0), 'constant, negative')
+check(limits(0.0, 0.0) == (0.0, 1.0), 'zero')
+for low in (0.0, 0.7):
+  colours = render.colour_map(vtk, (low, 0.8), grey_below=True)
+  rgb = [0.0] * 3
+  colours.GetColor(0.0, rgb)
+  check(max(abs(a - b) for a, b in zip(rgb, render.GREY)) < 0.01, rgb)
+  colours.GetColor(max(low, 0.02), rgb)
+  check(max(abs(a - b) for a, b in zip(rgb, render.GREY)) > 0.1, rgb)
+)",
+                       folder),
+            0)
+      << read_text(folder.file("messages"));
+}
+
 // Seams are where edges lie on each other: the eight edges along the tube, and none around its open ends.
 TEST_F(Render, FindsSeams) {
   const TemporaryFolder folder;

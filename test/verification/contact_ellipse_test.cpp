@@ -89,8 +89,8 @@ INSTANTIATE_TEST_SUITE_P(Contact, SleeveOnEllipse,
 class TriangulatedEllipse : public testing::TestWithParam<int> {};
 
 // On an unstructured triangulation of 5 mm edges, with a fabric mesh of another size that is turned against it, the
-// pressure is within 3 % of the exact one everywhere away from the ends. The facets themselves would miss it by far.
-TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
+// pressure is within 0.8 % of the exact one everywhere away from the ends. The facets themselves would miss it by far.
+TEST_P(TriangulatedEllipse, PressureIsThatOfTheSmoothBody) {
   const ContactReference reference("contact_ellipse_ax1.1_nh");
   // Every rank writes and reads a file of its own.
   const std::string rank = std::to_string(Tpetra::getDefaultComm()->getRank());
@@ -107,7 +107,7 @@ TEST_P(TriangulatedEllipse, PressureWithinThreePercent) {
   const Sleeve sleeve = settle(o);
   expect_balanced(sleeve);
   const Errors errors = pressure_errors(sleeve, reference);
-  EXPECT_LE(errors.largest, 0.03);
+  EXPECT_LE(errors.largest, 0.008);
 
   body::ImportOptions open;
   open.closed = false;

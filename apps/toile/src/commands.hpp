@@ -13,6 +13,13 @@ struct RunArguments {
   bool allow_plugins = false;  ///< the scene may load programs
 };
 
+/// What the command line says of a check of a scene.
+struct CheckArguments {
+  std::string scene;           ///< XML file
+  std::string output = "";     ///< folder for the start; empty: it is not written
+  bool allow_plugins = false;  ///< the scene may load programs
+};
+
 /// What the command line says of a check of fabrics.
 struct MaterialCheckArguments {
   std::string file;            ///< a fabric's XML file, or a scene if `material` is given
@@ -32,7 +39,7 @@ struct IdentifyArguments {
 
 /// Each returns the exit status of the program (base::ExitCode); errors are thrown as base::Error.
 int run(const RunArguments& arguments);
-int check(const std::string& scene, bool allow_plugins);
+int check(const CheckArguments& arguments);
 /// `what`: a list or a parameter by its path, or a line of an error message that holds one; empty: all. `scene`: empty,
 /// or a file whose plug-ins are described too.
 int describe(bool markdown, const std::string& what, const std::string& scene, bool allow_plugins);

@@ -41,18 +41,6 @@ const base::Spec& file_of(const std::vector<base::Spec>& files, const std::strin
 
 }  // namespace
 
-int check(const std::string& file, bool allow_plugins) {
-  base::Timer timer;
-  const material::Laws laws = material::read_laws(file, "scene", allow_plugins);
-  const base::List list = base::read_xml(file, scene::scene_spec(laws));
-  const scene::Scene scene(list, 1, timer, laws);
-  if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << file << ": valid. " << scene.garment().mesh.nodes() << " nodes, " << scene.garment().mesh.elements()
-              << " elements, " << scene.garment().seams.size() << " seams, " << scene.stages().size() << " stages"
-              << (scene.surface() != nullptr ? "; " + scene.surface()->summary() : std::string()) << std::endl;
-  return static_cast<int>(base::ExitCode::success);
-}
-
 int describe(bool markdown, const std::string& what, const std::string& scene, bool allow_plugins) {
   if (what == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -110,11 +111,11 @@ int dispatch(int argc, char** argv) {
 
   run->add_flag("--allow-plugins", arguments.allow_plugins, allow_text);
 
-  std::string scene;
-  bool allow_plugins = false;
-  CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it");
-  check->add_option("scene", scene, "XML file of the scene")->required();
-  check->add_flag("--allow-plugins", allow_plugins, allow_text);
+  toile::app::CheckArguments checked;
+  CLI::App* check = app.add_subcommand("check", "Read and build a scene without solving it, and look at its start");
+  check->add_option("scene", checked.scene, "XML file of the scene")->required();
+  check->add_option("--output", checked.output, "Write the start to start.exo in this folder")->type_name("DIR");
+  check->add_flag("--allow-plugins", checked.allow_plugins, allow_text);
 
   toile::app::MaterialCheckArguments fabric;
   CLI::App* material = app.add_subcommand("material", "Work on fabrics");
@@ -144,7 +145,8 @@ int dispatch(int argc, char** argv) {
     if (!describe_fit && fit_file->count() == 0) throw CLI::RequiredError("fit");
   });
 
-  std::string list;
+  std::string list, scene;
+  bool allow_plugins = false;
   CLI::App* describe = app.add_subcommand("describe", "Print every list and parameter of a scene file");
   describe->add_option(
       "list", list,
@@ -167,7 +169,7 @@ int dispatch(int argc, char** argv) {
   if (run->parsed()) return toile::app::run(arguments);
   if (identify->parsed())
     return describe_fit ? toile::app::describe_fit(fit_arguments, markdown) : toile::app::identify(fit_arguments);
-  if (check->parsed()) return toile::app::check(scene, allow_plugins);
+  if (check->parsed()) return toile::app::check(checked);
   if (check_material->parsed()) return toile::app::check_material(fabric);
   if (build->parsed()) return toile::app::build_material(source, library, verbose);
   return toile::app::describe(markdown, list, scene, allow_plugins);
@@ -176,6 +178,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file beyond the user's limit is then an error with a reason, as a full disk is, and not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   // Kokkos would read --threads and --help as its own.
   int own_argc = 1;
   char** own_argv = argv;

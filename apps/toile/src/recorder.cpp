@@ -18,11 +18,12 @@ namespace toile::app {
 
 namespace {
 
-const std::string exodus_name = "results.exo", history_name = "history.h5", restart_name = "restart.h5";
+const std::string exodus_name = "results.exo", history_name = "history.h5", restart_name = "restart.h5",
+                  start_name = "start.exo";
 
 /// Every file that a run may write into its folder.
 std::vector<std::string> result_files() {
-  std::vector<std::string> names = {exodus_name,           history_name,         restart_name,
+  std::vector<std::string> names = {exodus_name,           history_name,         restart_name, start_name,
                                     "pressure-levels.csv", "pressure-curve.csv", "points.csv"};
   for (const std::string plot : {"pressure", "force-curves", "torques"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"}) names.push_back(plot + ending);
@@ -58,22 +59,39 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   std::filesystem::create_directories(folder, problem);
   if (problem) throw base::InputError("cannot make the folder of the results \"" + folder + "\": " + problem.message());
   const std::string failure = "cannot write in the folder of the results \"" + folder + "\": ";
-  result::Replacement(folder + "/.writable", failure);
+  { const result::Replacement probe(folder + "/.writable", failure); }
   for (const std::string& name : result_files()) result::check_replaceable(folder + "/" + name, failure + name + ": ");
   distances_.resize(scene.output().distances.size());
   points_.resize(scene.output().points.size());
 }
 
 void Recorder::open_files(const solve::StepReport& report) {
+  const std::vector<result::FieldName> globals = open_exodus(exodus_name, report);
+  history_ = std::make_unique<result::History>(folder_ + "/" + history_name, globals);
+}
+
+std::vector<result::FieldName> Recorder::open_exodus(const std::string& file, const solve::StepReport& report) {
   const bool with_body = scene_.surface() != nullptr;
   if (with_body) body_ = scene_.surface()->triangles(scene_.output().body_size);
   result::FieldNames names;
   names.nodal = names_of(solve::nodal_fields(scene_.problem(), fields_));
   names.element = names_of(solve::element_fields(fields_));
   names.global = names_of(solve::global_fields(scene_.problem(), report));
-  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/" + exodus_name, scene_.garment().mesh,
+  exodus_ = std::make_unique<result::ExodusWriter>(folder_ + "/" + file, scene_.garment().mesh,
                                                    with_body ? &body_ : nullptr, names);
-  history_ = std::make_unique<result::History>(folder_ + "/" + history_name, names.global);
+  return names.global;
+}
+
+void Recorder::write_start() {
+  const solve::State start = scene_.start();
+  fields_ = solve::compute_fields(scene_.problem(), start);
+  solve::StepReport report;
+  report.seam = start.seam;
+  report.balance.support.assign(scene_.problem().supports.size(), solve::Vec3::Zero());
+  report.balance.torque.assign(scene_.problem().supports.size(), 0.0);
+  open_exodus(start_name, report);
+  write_fields(report);
+  exodus_.reset();
 }
 
 /// The files of the first step took the places of older ones; the others of the older run do not belong to them.
@@ -117,7 +135,7 @@ void Recorder::write_fields(const solve::StepReport& report) {
     history.push_back(field.values.front());
   }
   exodus_->write_step(report.step, data);
-  history_->append(history);
+  if (history_ != nullptr) history_->append(history);
 }
 
 void Recorder::write_restart(const solve::StepReport& report, const solve::State& state) const {

@@ -21,6 +21,8 @@ class Recorder {
   /// Makes the folder. Throws base::InputError if it cannot be written, or a file in it cannot be replaced.
   Recorder(const scene::Scene& scene, const std::string& folder);
 
+  /// start.exo: what the scene starts from, with the fields that results.exo has. Earlier results are left as they are.
+  void write_start();
   void step(const solve::StepReport& report, const solve::State& state);
   /// Curves and plots of the last state.
   void finish(base::Log& log);
@@ -30,6 +32,8 @@ class Recorder {
 
  private:
   void open_files(const solve::StepReport& report);
+  /// Opens an Exodus file for the fields of the report and returns its global ones.
+  std::vector<result::FieldName> open_exodus(const std::string& file, const solve::StepReport& report);
   void remove_older() const;
   void write_fields(const solve::StepReport& report);
   void write_restart(const solve::StepReport& report, const solve::State& state) const;

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "recorder.hpp"
+#include "start.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
@@ -40,12 +41,18 @@ void on_first_rank(const F& work) {
   if (code != 0) throw base::Error(static_cast<base::ExitCode>(code), message);
 }
 
-/// What is on disk after a stage failed.
-std::string kept_text(const Recorder& recorder, const std::string& folder) {
-  if (recorder.reports().empty()) return " No step was accepted, and nothing was written to " + folder + ".";
+/// What is on disk after a stage failed. A run that accepted no step writes its start now.
+std::string kept_text(Recorder& recorder, const std::string& folder) {
   if (!result::files_available()) return "";
-  return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
-         folder + "/results.exo, and in " + folder + "/restart.h5.";
+  if (!recorder.reports().empty())
+    return " The last converged state, step " + std::to_string(recorder.reports().back().step) +
+           ", is the last one in " + folder + "/results.exo, and in " + folder + "/restart.h5.";
+  try {
+    recorder.write_start();
+  } catch (const base::Error& error) {
+    return std::string(" No step was accepted, and the start is not written either: ") + error.what();
+  }
+  return " No step was accepted; the start is in " + folder + "/start.exo.";
 }
 
 /// What is good to know of a run and what limits the trust in it, whether or not it reached its end.
@@ -85,6 +92,7 @@ int run(const RunArguments& arguments) {
   const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
   const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
   const scene::Scene scene(list, comm->getSize(), timer, laws);
+  check_names(scene, list);
   const std::string folder = folder_of(arguments);
   std::optional<Recorder> recorder;
   on_first_rank([&] { recorder.emplace(scene, folder); });
@@ -93,6 +101,8 @@ int run(const RunArguments& arguments) {
 
   if (!result::files_available())
     log.warn("this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
+
+  tell_start(scene::look_at_start(scene, list), log);
 
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());

@@ -35,7 +35,7 @@ int open_without_waiting(const std::string& path) {
   return open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
 }
 
-std::string unreadable(int descriptor) {
+std::string problem_of(int descriptor) {
   if (descriptor < 0) {
     if (errno == ENXIO) return "this is a socket or a pipe, not a file";
     return std::string("cannot open this file: ") + std::strerror(errno);
@@ -54,7 +54,7 @@ void throw_if_unreadable(const std::string& path, const std::string& expected, c
 }  // namespace
 
 std::string unreadable(const std::string& path) {
-  return unreadable(Descriptor(open_without_waiting(path)).number());
+  return problem_of(Descriptor(open_without_waiting(path)).number());
 }
 
 void require_file(const std::string& path, const std::string& expected) {
@@ -63,7 +63,7 @@ void require_file(const std::string& path, const std::string& expected) {
 
 std::string read_file(const std::string& path, const std::string& expected, std::size_t most) {
   const Descriptor file(open_without_waiting(path));
-  throw_if_unreadable(path, expected, unreadable(file.number()));
+  throw_if_unreadable(path, expected, problem_of(file.number()));
   std::string content;
   char buffer[65536];
   for (ssize_t count = 0; (count = read(file.number(), buffer, sizeof buffer)) != 0;) {

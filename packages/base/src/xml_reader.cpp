@@ -71,7 +71,7 @@ class XmlReader {
       problems_.push_back(at_line(file_, line()) + ": not well-formed XML: " + syntax_problem());
     }
     throw_if_any(problems_);
-    return std::move(list_);
+    return list_;
   }
 
  private:

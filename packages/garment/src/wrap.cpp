@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "body_end.hpp"
 #include "limb_axis.hpp"
 #include "placement.hpp"
 #include "toile/base/error.hpp"
@@ -214,19 +215,19 @@ mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const
   if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
   const LimbAxis axis(list);
-  const auto traced = [&](const auto& trace) {
+  const auto traced = [&](const Axis& frame, double height, const auto& trace) {
     try {
       return trace();
     } catch (const base::InputError& error) {
-      list.fail(axis.parameter(), error.what());
+      refuse_section(list, *body, frame, height, axis.parameter(), error.what());
     }
   };
   Target target;
   target.section = [&](const Axis& frame, double height) {
-    return traced([&] { return trace_section(*body, frame, height, offset); });
+    return traced(frame, height, [&] { return trace_section(*body, frame, height, offset); });
   };
   target.radius = [&](const Axis& frame, double height, double angle) {
-    return traced([&] { return trace_radius(*body, frame, height, angle, offset); });
+    return traced(frame, height, [&] { return trace_radius(*body, frame, height, angle, offset); });
   };
   // The panel lies where the gap is the offset, so the gap's gradient is its normal.
   target.normal = [&](double, double, const Vec3& position) {

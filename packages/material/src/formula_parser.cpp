@@ -1,6 +1,7 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <map>
 
 #include "formula_grammar.hpp"
@@ -26,9 +27,12 @@ const std::map<std::string, Function>& functions() {
   return all;
 }
 
-/// Infinite if it is too large for a double; then the natural state is refused.
+/// Infinite if a double cannot hold it; then the natural state is refused. Not by strtod: it reads by the locale.
 double number_of(const Node& node) {
-  return std::strtod(node.string().c_str(), nullptr);
+  const std::string_view text = node.string_view();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() ? value : std::numeric_limits<double>::infinity();
 }
 
 class Translator {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "toile/base/error.hpp"
+#include "toile/base/file.hpp"
 #include "toile/material/plugin.hpp"
 #include "toile/material/plugin_files.hpp"
 #include "toolchain.hpp"
@@ -33,6 +34,7 @@ std::string plugin_path(const base::List& entry) {
 Laws::Law load_plugin(const std::string& library) {
   if (!fs::exists(library))
     throw base::InputError(library + ": there is no such plug-in; toile material build makes one from a C++ file");
+  base::require_file(library, "a plug-in");
   // An absolute path, because the loader would look for a bare name in the system's folders.
   void* handle = dlopen(fs::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr)

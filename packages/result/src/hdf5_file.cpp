@@ -26,7 +26,7 @@ Hdf5File Hdf5File::in_memory(const std::string& failure) {
   constexpr std::size_t growth = 1U << 16U;
   print_no_stacks();
   const Hdf5Handle driver(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_core(driver.id(), growth, 0);
+  H5Pset_fapl_core(driver.id(), growth, false);
   Hdf5Handle handle(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, driver.id()), H5Fclose);
   if (!handle.valid()) {
     throw base::InputError(failure + "HDF5 could not create it");

@@ -104,7 +104,8 @@ class Equilibrium {
   double update_thickness(const Vector& z, double s, double tolerance);
   const std::vector<double>& offsets() const { return offset_; }
   void set_offsets(const std::vector<double>& offsets) { offset_ = offsets; }  ///< as offsets() gave them
-  /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface.
+  /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface if they
+  /// press it. Collective.
   void balance_multipliers(Vector& z, double s);
 
  private:
@@ -131,6 +132,7 @@ class Equilibrium {
   double load_potential(const ElementAssembly::Sums& sums, double s) const;
   void add_shift(double factor, double* values) const;
   std::vector<double> wanted_offsets();
+  double least_pressing_force(const ElementAssembly::Sums& sums) const;
   void add_directors(State& state) const;
   double moment_magnitudes(const ElementAssembly::Sums& sums, double s) const;
   void scale();

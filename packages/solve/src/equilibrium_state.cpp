@@ -146,15 +146,27 @@ double Equilibrium::update_thickness(const Vector& z, double s, double tolerance
   return largest;
 }
 
+// A node presses the body only with a force that would move it further than a gap that is none, or that counts among
+// the forces of the garment: less is what rounded positions leave, and would pull unstressed fabric onto the body.
+double Equilibrium::least_pressing_force(const ElementAssembly::Sums& sums) const {
+  double mine = 0.0, largest = 0.0;
+  for (size_t i = 0; i < 3 * static_cast<size_t>(layout_.owned_clusters); ++i)
+    mine = std::max(mine, std::abs(sums.magnitude[i]));
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  return std::max(options_.newton.gap_tolerance * std::abs(mean_diagonal_), options_.newton.tolerance * largest);
+}
+
 void Equilibrium::balance_multipliers(Vector& z, double s) {
   positions(z, s);
   const ElementAssembly::Sums sums = elements_.evaluate(at_, drive_.load(s), nullptr);
   constexpr double touching = 2.0;  // mm: placed nodes this near are taken to lie on the body
+  const double least = least_pressing_force(sums);
   auto data = z.getDataNonConst();
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (size_t i = 0; i < multipliers(); ++i) {
     const Vec3 internal(sums.force[3 * i], sums.force[3 * i + 1], sums.force[3 * i + 2]);
     data[first + i] = contact::balancing_multiplier(contact(static_cast<int>(i), s, 0.0), internal, touching);
+    if (data[first + i] <= least) data[first + i] = 0.0;
     if (data[first + i] > 0.0) retract_cluster(i, s, data.getRawPtr());
   }
 }

@@ -129,6 +129,13 @@ std::vector<NamedField> element_fields(const Fields& fields) {
   return all;
 }
 
+std::vector<std::string> field_names_of(const Support& support) {
+  std::vector<std::string> names;
+  for (const SupportField& field : support_table)
+    if (field.applies(support)) names.push_back(field.name + plain(support.name));
+  return names;
+}
+
 std::vector<NamedField> global_fields(const Problem& problem, const StepReport& report) {
   std::vector<NamedField> all;
   for (const GlobalField& field : global_table) all.push_back({field.name, field.unit, {field.value(report)}});

@@ -26,6 +26,8 @@ std::vector<OutputField> output_fields();
 std::vector<NamedField> nodal_fields(const Problem& problem, const Fields& fields);
 /// A value an element, all blocks one after another: those of wrinkles only if a material of `problem` relaxes.
 std::vector<NamedField> element_fields(const Fields& fields);
+/// Names of the global fields that a support has.
+std::vector<std::string> field_names_of(const Support& support);
 /// One value each.
 std::vector<NamedField> global_fields(const Problem& problem, const StepReport& report);
 

@@ -1,0 +1,30 @@
+// What is said of the start: one function a kind of fault.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "start_fabric.hpp"
+#include "start_seams.hpp"
+
+namespace toile::scene {
+
+/// Stretches that no knit stands, with the unit that would explain them.
+std::vector<std::string> stretch_warnings(const PanelStart& panel);
+/// A garment that is wider than its body everywhere.
+std::vector<std::string> girth_warnings(const std::vector<PanelStart>& panels);
+/// More than 200 mmHg.
+std::vector<std::string> pressure_warnings(const std::vector<PanelStart>& panels);
+/// Panels that start deeper in the body than their elements are wide.
+std::vector<std::string> depth_warnings(const PanelStart& panel);
+/// `sewn`: the seams are closed at the start already, so that nothing will draw the part onto the body.
+std::vector<std::string> loose_warnings(const std::vector<LoosePart>& parts, bool sewn);
+
+/// Of a seam whose edges hardly run alike, or whose way goes through the body.
+std::vector<std::string> seam_warnings(const garment::Seam& seam, const SeamStart& start);
+/// Sides of panels that face each other on a body and are not sewn.
+std::vector<std::string> forgotten_seam_warnings(const Scene& scene);
+/// Messages on seams that cannot be wanted; `list`: of the scene.
+std::vector<std::string> seam_errors(const Scene& scene, const base::List& list, const std::vector<SeamStart>& seams);
+
+}  // namespace toile::scene
