@@ -59,8 +59,8 @@ TEST(CurvedHem, IsRolledWithoutStrain) {
   }
 }
 
-// On a body the neckline keeps its height differences, and the panel at its natural width is unstretched (with every row level it was
-// stretched to 2.2).
+// On a body the neckline keeps its height differences, and the panel at its natural width is unstretched (with every
+// row level it was stretched to 2.2).
 TEST(CurvedHem, KeepsItsHeightsOnABody) {
   const test::EllipticCylinder body(150.0, 110.0);
   const mesh::Mesh mesh = build(top_of_a_shirt("wrap"), &body);
