@@ -77,7 +77,7 @@ double Leg::quantile(const std::string& field, double share) const {
 
 double Leg::imbalance() const {
   solve::ForceBalance written = report.balance;
-  written.contact = solve::pressure_resultant(fields);
+  written.contact = solve::contact_resultant(fields);
   return written.sum().norm() / written.magnitude;
 }
 

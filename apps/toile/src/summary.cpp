@@ -83,7 +83,7 @@ Figures figures_of(const solve::Fields& fields, const solve::StepReport& report)
   if (f.largest_pressure == 0.0) f.smallest_pressure = 0.0;
   f.smallest_stress = base::mpa_to_kpa(fields.smallest_principal_stress);
   solve::ForceBalance written = report.balance;
-  written.contact = solve::pressure_resultant(fields);
+  written.contact = solve::contact_resultant(fields);
   f.force_balance = written.magnitude > 0.0 ? written.sum().norm() / written.magnitude : 0.0;
   f.largest_gap = report.gap;
   f.dissipation_ratio = report.dissipation_ratio;
@@ -99,6 +99,10 @@ std::vector<std::string> field_warnings(const solve::Fields& fields, const solve
          << fields.largest_extrapolation << " in " << fields.extrapolated_where;
     warnings.push_back(text.str());
   }
+  if (fields.isolated_contacts > 0)
+    warnings.push_back(std::to_string(fields.isolated_contacts) +
+                       " nodes touch the body while all their neighbours are free: the mesh is too coarse there, and "
+                       "their pressure is as uncertain as it is large (field pressure_error)");
   if (fields.contacts_off_surface > 0)
     warnings.push_back("the body has no smooth surface near " + std::to_string(fields.contacts_off_surface) +
                        " nodes in contact: their pressure shows its facets");
@@ -124,7 +128,7 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
       << (f.smallest_stress < 0.0 ? " (" + compression_text(fabric) + ")" : "") << "\n";
   out << wrinkles_text(scene.problem(), fields);
   out << "  forces on the garment:";
-  if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::pressure_resultant(fields));
+  if (scene.surface() != nullptr) out << "\n    body " << vector_text(solve::contact_resultant(fields));
   for (size_t s = 0; s < report.balance.support.size(); ++s)
     out << "\n    support \"" << scene.problem().supports[s].name << "\" " << vector_text(report.balance.support[s])
         << torque_text(scene.problem().supports[s], report.load, report.balance.torque[s]);
