@@ -18,11 +18,17 @@ section() {  # title, text, test and its arguments
   printf '# Verification\n\nMeasured by `doc/verification.sh build/release` against the reference results in `test/data`; each row is also a test.\n'
   printf 'Errors are relative; a rate is the exponent of the error over the element size.\n'
   section "Sleeves on bodies of revolution" \
-    "Root mean square of the pressure against the semi-analytic membrane solution, two rows at each end left out; sum of all forces over their magnitudes; largest gap in contact." \
+    "Root mean square of the pressure against the semi-analytic membrane solution, an eighth of the rows at each end left out; sum of all forces over their magnitudes; largest gap in contact." \
     contact_reference_test
   section "Elliptic cylinder" \
     "The same with pressures that range over 4 : 1; independence of the contact stiffness; the body as unstructured triangles of 5 mm, the garment not aligned with them." \
     contact_ellipse_test
+  section "Pressure on any mesh" \
+    "Seven kinds of mesh: aligned with the body, a square lattice turned by 30 degrees, nodes moved by 25 %, free triangles, free quadrilaterals, and both with sizes 1 : 3; on cylinder, ellipse and ellipsoid, three fabrics. Root mean square over all nodes, rate from 8 mm, largest error away from the ends (in brackets that of nodal force over area), sum of pressure times area, and the effectivity of pressure_error: its root mean square over that of the error." \
+    contact_meshes_test
+  section "Pressure where more happens" \
+    "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \
+    contact_variety_test
   section "Lift-off at a waist" "Where the sleeve leaves the body (reference in brackets), its radius in the middle, and the pressure two elements away from lift-off." \
     contact_waist_test
   section "Real body and parametric leg" "Pressure noise at facet wavelength on the thigh of a body of a real shape, below the mean edge length there, with cell, smoothing and reach chosen by the program; and the balance of the written field." \

@@ -116,14 +116,16 @@ TEST(Data, EuropeanTables) {
   const Curve plain = curve_of("stretch [-], nominal stress [MPa]\n1.1, 0.015\n1.2, 0.02\n1.35, 1e-1\n");
   ASSERT_EQ(plain.stretch, (std::vector<double>{1.1, 1.2, 1.35}));
   ASSERT_EQ(plain.stress, (std::vector<double>{0.015, 0.02, 0.1}));
-  for (const std::string text :
-       {"stretch [-]; nominal stress [MPa]\n1,1; 0,015\n1,2; 0,02\n1,35; 1e-1\n",
-        "stretch [-];nominal stress [MPa]\r\n1,1;0,015\r\n1,2;0,02\r\n1,35;0,1\r\n",
-        "\xEF\xBB\xBFstretch [-]\tnominal stress [MPa]\n1,1\t0,015\n1,2\t0,02\n1,35\t0,1\n",
-        "stretch [-]; nominal stress [MPa]\n1.1; 0.015\n1.2; 0.02\n1.35; 0.1\n",
-        "\"stretch [-]\",\"nominal stress [MPa]\"\n\"1,1\",\"0,015\"\n\"1,2\",\"0,02\"\n\"1,35\",\"0,1\"\n",
-        "date; stretch [-]; remark, free; nominal stress [MPa]\n1.5.2024; 1,1; a, b; 0,015\n2.5.2024; 1,2; ; 0,02\n"
-        "3.5.2024; 1,35; ; 0,1\n"}) {
+  const std::string with_more_columns =
+      "date; stretch [-]; remark, free; nominal stress [MPa]\n1.5.2024; 1,1; a, b; 0,015\n"
+      "2.5.2024; 1,2; ; 0,02\n3.5.2024; 1,35; ; 0,1\n";
+  for (const std::string& text : std::vector<std::string>{
+           "stretch [-]; nominal stress [MPa]\n1,1; 0,015\n1,2; 0,02\n1,35; 1e-1\n",
+           "stretch [-];nominal stress [MPa]\r\n1,1;0,015\r\n1,2;0,02\r\n1,35;0,1\r\n",
+           "\xEF\xBB\xBFstretch [-]\tnominal stress [MPa]\n1,1\t0,015\n1,2\t0,02\n1,35\t0,1\n",
+           "stretch [-]; nominal stress [MPa]\n1.1; 0.015\n1.2; 0.02\n1.35; 0.1\n",
+           "\"stretch [-]\",\"nominal stress [MPa]\"\n\"1,1\",\"0,015\"\n\"1,2\",\"0,02\"\n\"1,35\",\"0,1\"\n",
+           with_more_columns}) {
     const Curve curve = curve_of(text);
     EXPECT_EQ(curve.stretch, plain.stretch) << text;
     EXPECT_EQ(curve.stress, plain.stress) << text;

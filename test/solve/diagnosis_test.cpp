@@ -171,6 +171,56 @@ TEST(Diagnosis, TellsAnIterationThatWasStillConverging) {
   EXPECT_THAT(solve::likely_cause(s.failure()), Not(HasSubstr("still converging")));
 }
 
+/// The cause that is told of a sleeve in a state of its own, where a step of a stage failed or, before any, its start.
+std::string cause_of(const solve::Problem& problem, const solve::StageOptions& stage, const solve::State& state,
+                     bool stepped) {
+  const solve::Held held = find_held(problem, state, {});
+  solve::Remainder left;
+  left.force.assign(problem.clusters.size(), solve::Vec3::Zero());
+  left.opening.assign(problem.clusters.size(), 0.0);
+  left.total.force_scale = 1.0;
+  left.state = state;
+  const solve::NewtonOptions newton;
+  return solve::likely_cause({problem, stage, newton, held, state, state, left, 0.0, stepped, false, 1});
+}
+
+// A seam whose way leads through the body is the cause, with its node and how far it has to go.
+TEST(Diagnosis, SeamThroughTheBody) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  sleeve.problem.clusters[1] = {1, 7};
+  EXPECT_THAT(cause_of(sleeve.problem, stage(solve::StageType::sew), placed_state(sleeve.problem), false),
+              AllOf(HasSubstr("the way that a seam closes leads through the body: node 2 of panel \"sleeve\""),
+                    HasSubstr("starts 120 mm from the node that it is sewn to")));
+}
+
+// A sleeve whose pattern is wider than the body is loose.
+TEST(Diagnosis, LooseGarment) {
+  Sleeve::Options o = options(12, 6);
+  o.r0 = 63.0;
+  o.axial = 1.0;
+  const Sleeve sleeve(o, neo_hookean());
+  EXPECT_THAT(
+      cause_of(sleeve.problem, stage(solve::StageType::settle), closed_start(sleeve.problem), false),
+      AllOf(HasSubstr("the garment is loose, wider than the body where it is: its fabric is compressed more than it "
+                      "is stretched, most in panel \"sleeve\""),
+            HasSubstr("0.9")));
+}
+
+// A sleeve that the body presses on one side only is pushed off, unless a support holds it that way.
+TEST(Diagnosis, GarmentThatIsPushedOff) {
+  Sleeve sleeve(options(12, 6), neo_hookean());
+  solve::State state = closed_start(sleeve.problem);
+  for (size_t c = 0; c < state.position.size(); ++c) state.contact_force[c] = state.position[c][0] > 1.0 ? 0.1 : 0.0;
+  const solve::StageOptions sew = stage(solve::StageType::sew);
+  EXPECT_THAT(
+      cause_of(sleeve.problem, sew, state, true),
+      AllOf(HasSubstr("panel \"sleeve\": it is pushed off the body, in the direction (1, 0, 0): the body pushes it "
+                      "there with "),
+            HasSubstr("is one missing?")));
+  for (solve::Support& support : sleeve.problem.supports) support.held = {true, true, true};
+  EXPECT_THAT(cause_of(sleeve.problem, sew, state, true), Not(HasSubstr("pushed off")));
+}
+
 /// A sleeve that is settled with one iteration, from rows that are crowded towards one end.
 struct Hurried {
   Sleeve sleeve{options(12, 6), neo_hookean()};

@@ -112,7 +112,7 @@ TEST(Sleeve, ForcesOfTheWrittenFieldsBalance) {
   solve::ForceBalance balance = last.balance;
   EXPECT_GT(balance.magnitude, 1.0);
   EXPECT_LT(balance.sum().norm(), 1e-6 * balance.magnitude);
-  balance.contact = pressure_resultant(compute_fields(sleeve.problem, simulation.state()));
+  balance.contact = contact_resultant(compute_fields(sleeve.problem, simulation.state()));
   EXPECT_LT(balance.sum().norm(), 1e-6 * balance.magnitude);
   // Reactions of the two held ends are opposite: the axial force of contact_cyl_ax1.1_nh.csv, 3.076 N.
   EXPECT_NEAR(balance.support[1][2], 3.076, 0.02);

@@ -12,8 +12,7 @@ namespace {
 
 constexpr int levels = 3;
 
-/// Relative root mean square of the pressure's error, without the end rings and the coarsest mesh's row beside them:
-/// the end rings carry what the supports, which act along z, leave of the tension.
+/// Relative root mean square of the pressure's error, without the end rings and the coarsest mesh's row beside them.
 double pressure_error(const Sleeve& sleeve, const ContactReference& reference) {
   const int skip = sleeve.along / 8;
   double error = 0.0, scale = 0.0;

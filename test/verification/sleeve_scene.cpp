@@ -62,14 +62,14 @@ std::vector<solve::Vec3> Sleeve::ring(int j) const {
 
 double Sleeve::imbalance() const {
   solve::ForceBalance balance = report.balance;
-  balance.contact = solve::pressure_resultant(fields);
+  balance.contact = solve::contact_resultant(fields);
   return balance.sum().norm() / balance.magnitude;
 }
 
 double Sleeve::largest_gap() const {
   double largest = 0.0;
   for (size_t n = 0; n < fields.gap.size(); ++n)
-    if (fields.pressure[n] > 0.0) largest = std::max(largest, std::abs(fields.gap[n]));
+    if (fields.contact_force[n] > 0.0) largest = std::max(largest, std::abs(fields.gap[n]));
   return largest;
 }
 

@@ -46,7 +46,7 @@ struct Sleeve {
   double pressure(int i, int j) const { return fields.pressure[node(i, j)]; }
   /// Positions of the nodes of row j once round.
   std::vector<solve::Vec3> ring(int j) const;
-  /// Forces of the written field, the supports and the pins: their sum over the sum of their magnitudes.
+  /// Written contact forces, those of the supports and the pins: their sum over the sum of their magnitudes.
   double imbalance() const;
   /// Largest |gap| of a node with contact force, mm.
   double largest_gap() const;
@@ -61,7 +61,7 @@ Sleeve settle(const SleeveOptions& options);
 /// List "Body" with a type; numbers are added with set().
 Teuchos::ParameterList body_list(const std::string& type);
 
-/// Fails the test unless the written pressure field is in balance with the supports (1e-6 of the magnitudes) and no
+/// Fails the test unless the written contact forces are in balance with the supports (1e-6 of the magnitudes) and no
 /// node in contact has a gap above 1e-6 mm.
 void expect_balanced(const Sleeve& sleeve);
 

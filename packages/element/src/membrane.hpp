@@ -10,6 +10,7 @@
 
 #include "membrane_point.hpp"
 #include "point_response.hpp"
+#include "point_tension.hpp"
 #include "principal_stress.hpp"
 #include "toile/element/element.hpp"
 
@@ -35,6 +36,7 @@ class Membrane final : public Element {
 
   void evaluate(const Batch& batch, const Result& result) const override;
   PointFields fields(const Batch& batch) const override;
+  PointTensions tensions(const Batch& batch, const double* map) const override;
   void nodal_areas(const Batch& batch, double* areas) const override;
   void reference_areas(const Batch& batch, double* areas) const override;
 
@@ -58,9 +60,9 @@ class Membrane final : public Element {
     std::vector<double> params;  ///< [n_params][n], only if graduated
   };
 
-  /// The chunk of the calling thread, filled with the elements [first, first + count).
-  const Chunk& fill(const Batch& batch, int first, int count, bool with_tangent) const;
-  void kinematics(const Batch& batch, int first, int count, Chunk& chunk) const;
+  /// The chunk of the calling thread, filled with the elements [first, first + count). `map`: as in tensions().
+  const Chunk& fill(const Batch& batch, int first, int count, bool with_tangent, const double* map = nullptr) const;
+  void kinematics(const Batch& batch, int first, int count, const double* map, Chunk& chunk) const;
   static void spread_params(const Batch& batch, int first, Chunk& chunk);
   static const double* params_of(const Batch& batch, const Chunk& chunk) {
     return batch.graduated ? chunk.params.data() : batch.params;
@@ -90,15 +92,17 @@ class Membrane final : public Element {
 };
 
 template <int Nodes, int Points>
-auto Membrane<Nodes, Points>::fill(const Batch& batch, int first, int count, bool with_tangent) const -> const Chunk& {
+auto Membrane<Nodes, Points>::fill(const Batch& batch, int first, int count, bool with_tangent, const double* map) const
+    -> const Chunk& {
   thread_local Chunk chunk;
-  kinematics(batch, first, count, chunk);
+  kinematics(batch, first, count, map, chunk);
   respond(batch, first, with_tangent, chunk);
   return chunk;
 }
 
 template <int Nodes, int Points>
-void Membrane<Nodes, Points>::kinematics(const Batch& batch, int first, int count, Chunk& chunk) const {
+void Membrane<Nodes, Points>::kinematics(const Batch& batch, int first, int count, const double* map,
+                                         Chunk& chunk) const {
   const auto dot = [](const double(&u)[3], const double(&v)[3]) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
   chunk.n = count * Points;
   int k = 0;
@@ -109,6 +113,7 @@ void Membrane<Nodes, Points>::kinematics(const Batch& batch, int first, int coun
       point.set_reference(batch.pattern + 2 * Nodes * e, rule_.dN[p], rule_.weight[p]);
       point.rotate(cosine, sine);
       point.deform(batch.x + dofs * e);
+      if (map) apply(map + 9 * (e * Points + p), point.a);
       // A folded pattern gets its status in respond(); the material sees an undeformed point instead of garbage.
       const bool valid = point.area > 0.0;
       chunk.C[k] = valid ? dot(point.a[0], point.a[0]) : 1.0;
@@ -221,6 +226,37 @@ PointFields Membrane<Nodes, Points>::fields(const Batch& batch) const {
       std::copy_n(principal.data(), 2, &out.cauchy_principal[2 * at]);
     }
     if (batch.response->relaxes()) add_wrinkles(batch, chunk, out);
+  }
+  return out;
+}
+
+template <int Nodes, int Points>
+PointTensions Membrane<Nodes, Points>::tensions(const Batch& batch, const double* map) const {
+  PointTensions out;
+  resize(static_cast<std::size_t>(batch.n) * Points, Nodes, out);
+  for (const auto& values : rule_.N) out.shape.insert(out.shape.end(), values, values + Nodes);
+  for (int first = 0; first < batch.n; first += chunk_elements) {
+    const Chunk& chunk = fill(batch, first, std::min(chunk_elements, batch.n - first), false, map);
+    for (int k = 0; k < chunk.n; ++k) {
+      const Point& point = chunk.point[k];
+      const double valid = chunk.status[k] == material::point_not_admissible ? nan : batch.thickness;
+      const double* x = batch.x + dofs * static_cast<std::ptrdiff_t>(first + k / Points);
+      double S[3];
+      pick(chunk, chunk.S, k, valid, S);
+      PointTension<Nodes> tension;
+      tension.reference_area = point.area;
+      for (int c = 0; c < 3; ++c) {
+        tension.position[c] = 0.0;
+        for (int i = 0; i < Nodes; ++i) tension.position[c] += rule_.N[k % Points][i] * x[3 * i + c];
+        tension.stress[0][c] = S[0] * point.a[0][c] + S[2] * point.a[1][c];
+        tension.stress[1][c] = S[2] * point.a[0][c] + S[1] * point.a[1][c];
+      }
+      for (int b = 0; b < 2; ++b) {
+        std::copy_n(point.a[b], 3, tension.a[b]);
+        for (int i = 0; i < Nodes; ++i) tension.g[b][i] = point.g[i][b];
+      }
+      write_tension(tension, static_cast<std::size_t>(first) * Points + k, out);
+    }
   }
   return out;
 }

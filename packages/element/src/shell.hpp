@@ -13,6 +13,7 @@
 #include "hourglass.hpp"
 #include "layers.hpp"
 #include "point_response.hpp"
+#include "point_tension.hpp"
 #include "principal_stress.hpp"
 #include "shell_state.hpp"
 #include "toile/element/element.hpp"
@@ -55,6 +56,7 @@ class Shell final : public Element {
   void evaluate(const Batch& batch, const Result& result) const override;
   void freeze(const Batch& batch, double* frozen) const override;
   PointFields fields(const Batch& batch) const override;
+  PointTensions tensions(const Batch& batch, const double* map) const override;
   bool stabilised() const override { return has_control; }
   void stabilisation_energy(const Batch& batch, double* energy) const override;
   void nodal_areas(const Batch& batch, double* areas) const override;
@@ -81,9 +83,9 @@ class Shell final : public Element {
 
   static int chunk_size(const Layers& layers) { return std::min(largest_chunk, chunk_points / (Points * layers.n)); }
   /// The chunk of the calling thread, filled with the elements [first, first + count). `frozen`: of the whole batch;
-  /// null: undeformed thickness.
+  /// null: undeformed thickness. `map`: as in tensions().
   const Chunk& fill(const Batch& batch, const Layers& layers, const double* frozen, int first, int count,
-                    bool with_tangent) const;
+                    bool with_tangent, const double* map = nullptr) const;
   /// Worst status of the element's layers.
   static std::uint8_t status(const Chunk& chunk, int k);
   void evaluate_element(const Batch& batch, const Chunk& chunk, int k, std::ptrdiff_t e, const Result& result) const;
@@ -91,6 +93,8 @@ class Shell final : public Element {
   static void freeze_element(const Chunk& chunk, const PointResponse& natural, int k, double* frozen);
   /// Fields of the in-plane point k of the chunk: of its middle layer, with the worst status of its layers.
   static void write_point(const Chunk& chunk, int k, std::size_t at, PointFields& out);
+  /// Tension of the in-plane point k of the chunk: the sum over its layers.
+  void write_resultant(const Chunk& chunk, int k, double thickness, std::size_t at, PointTensions& out) const;
   /// Appends the wrinkles at the middle layer of the chunk's `count` elements from `first` on.
   static void add_wrinkles(const Batch& batch, const Chunk& chunk, int first, int count, PointFields& out);
   static void set_nan(const Result& result, std::ptrdiff_t e);
@@ -103,7 +107,8 @@ class Shell final : public Element {
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 auto Shell<Nodes, Edges, Points, ShearPoints, Control>::fill(const Batch& batch, const Layers& layers,
                                                              const double* frozen, int first, int count,
-                                                             bool with_tangent) const -> const Chunk& {
+                                                             bool with_tangent, const double* map) const
+    -> const Chunk& {
   thread_local Chunk chunk;
   chunk.layers = layers;
   chunk.half_thickness = 0.5 * batch.thickness;
@@ -117,6 +122,7 @@ auto Shell<Nodes, Edges, Points, ShearPoints, Control>::fill(const Batch& batch,
     state.nodes.set_directors(batch, e);
     for (int p = 0; p < Points; ++p) {
       state.point[p].deform(state.nodes, frozen ? frozen[e * frozen_values() + p] : 1.0);
+      if (map) apply(map + 9 * (e * Points + p), state.point[p].a);
       for (int layer = 0; layer < layers.n; ++layer, ++at) {
         double C[3] = {1.0, 1.0, 0.0};  // of a folded element; status() names it
         if (!state.folded) state.point[p].deformation(chunk.height(layer), C);
@@ -296,6 +302,44 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::write_point(const Chunk&
   std::copy_n(C, 3, &out.C[3 * at]);
   std::copy_n(S, 3, &out.S[3 * at]);
   std::copy_n(principal.data(), 2, &out.cauchy_principal[2 * at]);
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+PointTensions Shell<Nodes, Edges, Points, ShearPoints, Control>::tensions(const Batch& batch, const double* map) const {
+  const Layers layers = gauss_layers(batch.layers);
+  PointTensions out;
+  resize(static_cast<std::size_t>(batch.n) * Points, Nodes, out);
+  for (const auto& values : formulation_.rule.N) out.shape.insert(out.shape.end(), values, values + Nodes);
+  for (int first = 0, count = 0; first < batch.n; first += count) {
+    count = std::min(chunk_size(layers), batch.n - first);
+    const Chunk& chunk = fill(batch, layers, batch.frozen, first, count, false, map);
+    for (int k = 0; k < count * Points; ++k)
+      write_resultant(chunk, k, batch.thickness, static_cast<std::size_t>(first) * Points + k, out);
+  }
+  return out;
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+void Shell<Nodes, Edges, Points, ShearPoints, Control>::write_resultant(const Chunk& chunk, int k, double thickness,
+                                                                        std::size_t at, PointTensions& out) const {
+  const State& state = chunk.state[k / Points];
+  const ShellPoint<Nodes>& point = state.point[k % Points];
+  const bool admissible = status(chunk, k / Points) != material::point_not_admissible;
+  PointTension<Nodes> tension;
+  std::copy_n(&point.a[0][0], 6, &tension.a[0][0]);
+  std::copy_n(&point.reference.g[0][0], 2 * Nodes, &tension.g[0][0]);
+  combine(formulation_.rule.N[k % Points], state.nodes.x, tension.position);
+  tension.reference_area = point.reference.area;
+  Resultants resultants;
+  for (int layer = 0; layer < chunk.layers.n; ++layer) {
+    const double z = chunk.height(layer), weight = admissible ? thickness * chunk.layers.weight[layer] : nan;
+    double p[2][3], S[3];
+    point.base(z, p);
+    chunk.response.pick(chunk.response.S, k * chunk.layers.n + layer, weight, S);
+    resultants.add_force(z, p, S);
+  }
+  std::copy_n(&resultants.force[0][0][0], 6, &tension.stress[0][0]);
+  write_tension(tension, at, out);
 }
 
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>

@@ -6,8 +6,8 @@
 #include "diagnosis.hpp"
 #include "fabric_state.hpp"
 #include "law_floor.hpp"
-#include "null_motion.hpp"
 #include "place.hpp"
+#include "toile/solve/connected_parts.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
 
 namespace toile::solve {

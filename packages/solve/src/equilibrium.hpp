@@ -118,6 +118,7 @@ class Equilibrium {
 
  private:
   void positions(const Vector& z, double s);
+  void set_position(int cluster, const double* z, double s);
   Vec3 cluster_position(size_t c) const;
   double held_position(int cluster, int component, double s) const;
   std::array<double, 2> held_rotation(size_t node, double s) const;

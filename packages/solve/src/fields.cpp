@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "block_arrays.hpp"
+#include "contact_pressure.hpp"
 #include "element_fields.hpp"
-#include "toile/contact/normal_contact.hpp"
 
 namespace toile::solve {
 
@@ -36,6 +36,16 @@ std::array<double, 3> wrinkle_shares(const Problem& problem, size_t b, const ele
   return shares;
 }
 
+/// [element] means of one block.
+std::vector<Eigen::Matrix3d> mean_tensions(const BlockLaw& law, const element::Batch& batch) {
+  const element::PointTensions points = law.element->tensions(batch);
+  const size_t per = static_cast<size_t>(law.element->points());
+  std::vector<Eigen::Matrix3d> means(static_cast<size_t>(batch.n), Eigen::Matrix3d::Zero());
+  for (size_t q = 0; q < means.size() * per; ++q)
+    means[q / per] += Eigen::Map<const Eigen::Matrix3d>(&points.tension[9 * q]) / static_cast<double>(per);
+  return means;
+}
+
 void add_block(const Problem& problem, size_t b, const State& state, Fields& out) {
   const mesh::Block& block = problem.mesh->blocks[b];
   const BlockLaw& law = problem.laws[b];
@@ -46,6 +56,8 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
 
   const element::PointFields points = law.element->fields(arrays.batch());
   out.element.push_back(element_values(problem, points, block.size(), law.material->thickness()));
+  const std::vector<Eigen::Matrix3d> tensions = mean_tensions(law, arrays.batch());
+  out.tension.insert(out.tension.end(), tensions.begin(), tensions.end());
   const size_t per = static_cast<size_t>(law.element->points());
   for (size_t k = 0; k < points.status.size(); ++k) {
     const double minor = points.cauchy_principal[2 * k + 1];
@@ -64,31 +76,6 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
   out.wrinkle_shares.push_back(wrinkle_shares(problem, b, points));
 }
 
-/// Area of the inner face over that of the mid-surface, of a fabric that lies `offset` off the body: the product of
-/// 1 - offset x principal curvature, with the curvatures of the body's level surface at the mid-surface.
-double inner_over_middle(const body::SurfacePoint& p, double offset) {
-  const double trace = p.hessian.trace(), squares = (p.hessian * p.hessian).trace();
-  return 1.0 - offset * trace + 0.5 * offset * offset * (trace * trace - squares);
-}
-
-void add_contact(const Problem& problem, const State& state, Fields& out) {
-  for (size_t c = 0; c < problem.clusters.size(); ++c) {
-    if (problem.contact.pressure_on_inner_face)
-      for (const int n : problem.clusters[c])
-        out.area[n] *= inner_over_middle(problem.surface->closest(out.position[n]), state.offset[c]);
-    double area = 0.0;
-    for (const int n : problem.clusters[c]) area += out.area[n];
-    for (const int n : problem.clusters[c]) {
-      const body::SurfacePoint p = problem.surface->closest(out.position[n]);
-      out.pressure[n] = contact::pressure(state.contact_force[c], area);
-      out.contact_force[n] = state.contact_force[c] * out.area[n] / area;
-      out.gap[n] = p.gap - state.offset[c];
-      out.normal[n] = p.normal;
-      if (n == problem.clusters[c].front() && out.pressure[n] > 0.0 && !p.found) ++out.contacts_off_surface;
-    }
-  }
-}
-
 }  // namespace
 
 Fields compute_fields(const Problem& problem, const State& state) {
@@ -96,14 +83,21 @@ Fields compute_fields(const Problem& problem, const State& state) {
   Fields out;
   out.position = node_positions(problem, state);
   out.pressure.assign(nodes, 0.0);
+  out.pressure_error.assign(nodes, 0.0);
   out.contact_force.assign(nodes, 0.0);
   out.gap.assign(nodes, 0.0);
   out.normal.assign(nodes, Vec3::Zero());
   out.area.assign(nodes, 0.0);
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();
   for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, state, out);
-  if (problem.surface != nullptr) add_contact(problem, state, out);
+  if (problem.surface != nullptr) add_contact_pressure(problem, state, out);
   return out;
+}
+
+Vec3 contact_resultant(const Fields& fields) {
+  Vec3 sum = Vec3::Zero();
+  for (size_t n = 0; n < fields.contact_force.size(); ++n) sum += fields.contact_force[n] * fields.normal[n];
+  return sum;
 }
 
 Vec3 pressure_resultant(const Fields& fields) {

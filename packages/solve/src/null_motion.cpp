@@ -101,8 +101,11 @@ void PartMotions::find(const Held& held, bool seams_closed, const std::vector<bo
   for (const int c : clusters_) {
     const Generator g = generator_at(state_.position[c]);
     scale += g.squaredNorm();
-    for (int i = 0; i < 3; ++i)
-      if (held.position[c][i].held) resistance += g.row(i).transpose() * g.row(i);
+    for (int i = 0; i < 3; ++i) {
+      if (!held.position[c][i].held) continue;
+      const Motion component = g.transpose() * held.direction(c, i);
+      resistance += component * component.transpose();
+    }
     if (guided[c]) {
       const Vec3 x = mean_position(problem_, state_, c);
       const Motion normal = generator_at(x).transpose() * problem_.surface->closest(x).normal;
@@ -181,7 +184,7 @@ std::vector<NullMotion> PartMotions::pinned(const Held& held) const {
     for (const int c : clusters_) {
       const Generator g = generator_at(state_.position[c]);
       for (int i = 0; i < 3; ++i) {
-        const Eigen::VectorXd moves = left.transpose() * Motion(g.row(i));
+        const Eigen::VectorXd moves = left.transpose() * Motion(g.transpose() * held.direction(c, i));
         if (held.position[c][i].held || moves.norm() <= largest * (1.0 + 1e-9)) continue;
         largest = moves.norm();
         held_motion = moves;
@@ -201,28 +204,6 @@ std::vector<NullMotion> PartMotions::pinned(const Held& held) const {
 }
 
 }  // namespace
-
-std::vector<std::vector<int>> connected_parts(const Problem& problem) {
-  std::vector<int> cluster_of(problem.mesh->nodes()), parent(problem.clusters.size());
-  for (size_t c = 0; c < problem.clusters.size(); ++c) {
-    parent[c] = static_cast<int>(c);
-    for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
-  }
-  const auto root = [&parent](int c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
-  for (const mesh::Block& block : problem.mesh->blocks)
-    for (size_t i = 0; i < block.connectivity.size(); ++i) {
-      const size_t first = i - i % static_cast<size_t>(block.nodes_per_element);
-      parent[root(cluster_of[block.connectivity[i]])] = root(cluster_of[block.connectivity[first]]);
-    }
-  std::map<int, std::vector<int>> parts;
-  for (size_t c = 0; c < parent.size(); ++c) parts[root(static_cast<int>(c))].push_back(static_cast<int>(c));
-  std::vector<std::vector<int>> all;
-  for (auto& [id, clusters] : parts) all.push_back(std::move(clusters));
-  return all;
-}
 
 std::vector<bool> near_body(const Problem& problem, const State& state) {
   constexpr double touching = 1.0;  // mm

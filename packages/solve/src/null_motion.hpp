@@ -14,9 +14,6 @@ struct NullMotion {
   int component;     ///< 0..2
 };
 
-/// Clusters that elements connect. Each part moves by itself.
-std::vector<std::vector<int>> connected_parts(const Problem& problem);
-
 /// Clusters that lie within 1 mm of the body: where it will guide a garment whose contact is not known yet.
 std::vector<bool> near_body(const Problem& problem, const State& state);
 /// Clusters that the body presses.

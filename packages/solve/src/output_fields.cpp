@@ -40,8 +40,12 @@ struct SupportField {
 
 // One entry a field: what is written, described and documented comes from these tables.
 const NodalField nodal_table[] = {
-    {"pressure", "kPa", "contact pressure; on the body's nodes the same, mapped onto it",
+    {"pressure", "kPa",
+     "contact pressure, recovered from the fabric's tension and the body's curvature; on the body's nodes the same, "
+     "mapped onto it",
      [](const Fields& f, size_t n, int) { return base::mpa_to_kpa(f.pressure[n]); }, true, true},
+    {"pressure_error", "kPa", "estimate of the pressure's error that the mesh makes; not of body, fabric and tolerance",
+     [](const Fields& f, size_t n, int) { return base::mpa_to_kpa(f.pressure_error[n]); }, true},
     {"contact_force", "N", "force of the body on the garment along the normal; nodes of a seam share theirs by area",
      [](const Fields& f, size_t n, int) { return f.contact_force[n]; }},
     {"gap", "mm", "distance of the fabric's contact surface from the body",

@@ -158,7 +158,7 @@ void Simulation::Data::assemble(const State& from, const std::vector<bool>& guid
   for (const NullMotion& motion : pinned) {
     HeldComponent pin;
     pin.held = true;
-    pin.base = from.position[motion.cluster][motion.component];
+    pin.base = held.direction(motion.cluster, motion.component).dot(from.position[motion.cluster]);
     held.position[motion.cluster][motion.component] = pin;
     pins.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
   }

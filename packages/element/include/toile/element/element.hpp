@@ -51,6 +51,16 @@ struct PointFields {
   std::vector<double> wrinkle_crest;  ///< [n][points][3] along the crests in space: a unit vector, or zero
 };
 
+/// Tension of the fabric in space at the integration points of one batch.
+struct PointTensions {
+  std::vector<double> position;  ///< [n][points][3] on the mid-surface, mm
+  std::vector<double> normal;    ///< [n][points][3] unit normal x_,1 x x_,2 of the mid-surface there
+  std::vector<double> area;      ///< [n][points] current mid-surface area of the point, mm^2
+  std::vector<double> tension;   ///< [n][points][9] force per current length, symmetric 3 x 3, N/mm
+  std::vector<double> force;     ///< [n][points][nodes][3] what that tension does to the nodes, as in a residual, N
+  std::vector<double> shape;     ///< [points][nodes] shape functions
+};
+
 /// One element formulation: kinematics from nodal unknowns to C at points, and back by the chain rule.
 class Element {
  public:
@@ -65,6 +75,9 @@ class Element {
   /// Energy, its gradient and Hessian. Elements with a point that is not admissible get NaN and their status.
   virtual void evaluate(const Batch& batch, const Result& result) const = 0;
   virtual PointFields fields(const Batch& batch) const = 0;
+  /// Tensions of the state, or, with `map` [n][points][9], of base vectors that these row-wise matrices have turned
+  /// and stretched at each point (the place stays). Of points that are not admissible: NaN.
+  virtual PointTensions tensions(const Batch& batch, const double* map = nullptr) const = 0;
   /// Values an element that stay frozen during a step, so that the step keeps a potential.
   virtual int frozen_values() const { return 0; }
   /// Writes them for the state of `batch` (its `frozen` is not read): [n][frozen_values()].

@@ -20,28 +20,38 @@ struct NamedField {
 
 /// What is known of one state; output_fields.hpp makes of it what is written.
 struct Fields {
-  std::vector<Vec3> position;         ///< [node] mm
-  std::vector<double> pressure;       ///< [node] MPa per current mid-surface area; nodes of a seam share one value
-  std::vector<double> contact_force;  ///< [node] N; nodes of a seam share theirs by area
-  std::vector<double> gap;            ///< [node] mm, of the fabric's contact surface; 0 without a body
-  std::vector<Vec3> normal;           ///< [node] of the body at the closest point
-  std::vector<double> area;           ///< [node] current area that belongs to the node alone, mm^2
+  std::vector<Vec3> position;  ///< [node] mm
+  /// [node] MPa: what the fabric's tension presses on the body, recovered from tension and curvature (see
+  /// contact::recover), per current area as in ContactOptions; 0 where the fabric does not touch. Nodes that a seam
+  /// ties within a panel share one value; panels on either side of a seam have their own.
+  std::vector<double> pressure;
+  std::vector<double> pressure_error;  ///< [node] MPa: estimate of its size; of the mesh alone, not of body and model
+  std::vector<double> contact_force;   ///< [node] N along `normal`: of the solve; a cluster's is shared out by area
+  std::vector<double> gap;             ///< [node] mm, of the fabric's contact surface; 0 without a body
+  std::vector<Vec3> normal;            ///< [node] of the body at the closest point
+  std::vector<double> area;            ///< [node] current area that belongs to the node alone, mm^2
   /// [block] a value an element; the table is in element_fields.cpp
   std::vector<std::vector<NamedField>> element;
+  /// [element] of all blocks: mean over its points of the force per current length in space, symmetric, N/mm
+  std::vector<Eigen::Matrix3d> tension;
   /// [block] parts of the pattern's area that are taut, wrinkled and slack (material::WrinkleState).
   std::vector<std::array<double, 3>> wrinkle_shares;
   double smallest_principal_stress = 0.0;  ///< Cauchy, MPa
   int smallest_stress_block = 0;           ///< where it is
   double largest_extrapolation = 0.0;  ///< largest fibre stretch in an element outside the calibrated range; 0: none
   std::string extrapolated_where;      ///< block and element of it
+  int isolated_contacts = 0;           ///< clusters in contact whose neighbours are all free
   int contacts_off_surface = 0;        ///< clusters in contact where the body has no smooth surface, only facets
 };
 
 /// Evaluates the whole garment on the calling rank.
 Fields compute_fields(const Problem& problem, const State& state);
 
-/// Sum over the garment of pressure times area times normal of the written fields: what the garment feels of the body
-/// (N).
+/// Sum over the garment of the nodal contact forces: what the garment feels of the body (N).
+Vec3 contact_resultant(const Fields& fields);
+
+/// Sum over the garment of pressure times area times normal of the written fields (N). It differs from the sum of the
+/// forces by the error of the pressure, and by what supports take of the fabric's pull on the body.
 Vec3 pressure_resultant(const Fields& fields);
 
 }  // namespace toile::solve

@@ -1,0 +1,254 @@
+#include "toile/contact/recovery.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "patches.hpp"
+#include "tension_fit.hpp"
+
+namespace toile::contact {
+
+namespace {
+
+/// How a cluster lies on the body.
+enum class Place {
+  free,
+  isolated,  ///< in contact, all neighbours free
+  border,    ///< in contact, some neighbours free
+  inside     ///< in contact, as all its neighbours
+};
+
+class Recoverer {
+ public:
+  explicit Recoverer(const FabricInContact& fabric)
+      : fabric_(fabric),
+        patches_(fabric),
+        sites_of_(fabric.clusters.size()),
+        place_(fabric.clusters.size(), Place::free) {
+    for (size_t s = 0; s < fabric.site_cluster.size(); ++s)
+      sites_of_[static_cast<size_t>(fabric.site_cluster[s])].push_back(static_cast<int>(s));
+  }
+  Recovery run();
+
+ private:
+  int cluster_of(int site) const { return fabric_.site_cluster[static_cast<size_t>(site)]; }
+  const ContactCluster& cluster(int site) const { return fabric_.clusters[static_cast<size_t>(cluster_of(site))]; }
+  Place place(int site) const { return place_[static_cast<size_t>(cluster_of(site))]; }
+  bool touches(int site) const { return place(site) != Place::free; }
+
+  void find_places();
+  void bridge();
+  std::vector<std::vector<int>> clusters_around() const;
+  bool hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const;
+  bool presses(size_t c);
+  void classify();
+  std::vector<double> untilted() const;
+  std::optional<SitePressure> fitted(int site);
+  double load(int site) const;
+  void average_errors();
+
+  const FabricInContact& fabric_;
+  Patches patches_;
+  std::vector<std::vector<int>> sites_of_;  ///< [cluster]
+  std::vector<Place> place_;                ///< [cluster]
+  Recovery out_;
+};
+
+void Recoverer::find_places() {
+  for (size_t c = 0; c < place_.size(); ++c)
+    if (fabric_.clusters[c].touches()) place_[c] = Place::inside;
+  bridge();
+  classify();
+}
+
+/// The tilt of facets can pull at nodes that the fabric presses on, so that the solve lets them go: they then hover by
+/// less than a chord sags, all around them touches, and their tension would press. Over a hollow it would pull.
+void Recoverer::bridge() {
+  const std::vector<std::vector<int>> neighbours = clusters_around();
+  std::vector<bool> hovers(place_.size(), false);
+  for (size_t c = 0; c < place_.size(); ++c) hovers[c] = place_[c] == Place::free && hovers_by_a_sag(c, neighbours[c]);
+  std::vector<bool> seen(place_.size(), false);
+  std::vector<size_t> bridged;
+  for (size_t c = 0; c < place_.size(); ++c) {
+    if (!hovers[c] || seen[c]) continue;
+    std::vector<size_t> island = {c};
+    seen[c] = true;
+    bool enclosed = true, touching = false;
+    for (size_t k = 0; k < island.size(); ++k)
+      for (const int next : neighbours[island[k]]) {
+        const auto n = static_cast<size_t>(next);
+        if (place_[n] != Place::free) {
+          touching = true;
+        } else if (!hovers[n]) {
+          enclosed = false;
+        } else if (!seen[n]) {
+          seen[n] = true;
+          island.push_back(n);
+        }
+      }
+    if (!enclosed || !touching || !std::all_of(island.begin(), island.end(), [&](size_t i) { return presses(i); }))
+      continue;
+    bridged.insert(bridged.end(), island.begin(), island.end());
+  }
+  for (const size_t c : bridged) place_[c] = Place::inside;
+  out_.bridged = static_cast<int>(bridged.size());
+}
+
+/// [cluster] the others of its elements, some of them more than once.
+std::vector<std::vector<int>> Recoverer::clusters_around() const {
+  std::vector<std::vector<int>> around(place_.size());
+  for (const FabricElement& element : fabric_.elements)
+    for (int i = 0; i < element.nodes; ++i)
+      for (int j = 0; j < element.nodes; ++j) {
+        const int a = cluster_of(element.site[static_cast<size_t>(i)]);
+        const int b = cluster_of(element.site[static_cast<size_t>(j)]);
+        if (a != b) around[static_cast<size_t>(a)].push_back(b);
+      }
+  return around;
+}
+
+bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const {
+  const ContactCluster& cluster = fabric_.clusters[c];
+  const double gap = cluster.surface.gap - cluster.offset;
+  if (!cluster.surface.found || gap < 0.0) return false;
+  double squared = 0.0;
+  for (const int n : neighbours)
+    squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
+  return gap <= 0.125 * squared * cluster.surface.hessian.norm();
+}
+
+bool Recoverer::presses(size_t c) {
+  return std::all_of(sites_of_[c].begin(), sites_of_[c].end(), [&](int site) {
+    const std::optional<SitePressure> found = fitted(site);
+    return found && found->pressure > 0.0;
+  });
+}
+
+void Recoverer::classify() {
+  const std::vector<std::vector<int>> neighbours = clusters_around();
+  std::vector<Place> place = place_;
+  for (size_t c = 0; c < place_.size(); ++c) {
+    if (place_[c] == Place::free || neighbours[c].empty()) continue;
+    const auto is_free = [&](int n) { return place_[static_cast<size_t>(n)] == Place::free; };
+    const auto free = std::count_if(neighbours[c].begin(), neighbours[c].end(), is_free);
+    if (free == 0) continue;
+    const bool alone = free == static_cast<std::ptrdiff_t>(neighbours[c].size());
+    place[c] = alone ? Place::isolated : Place::border;
+    if (alone && !fabric_.clusters[c].held) ++out_.isolated;
+  }
+  place_ = std::move(place);
+}
+
+/// [cluster] MPa: contact force over area, freed of what the facets' tilt against the body makes of their tension.
+std::vector<double> Recoverer::untilted() const {
+  std::vector<double> force(place_.size());
+  for (size_t c = 0; c < place_.size(); ++c) force[c] = fabric_.clusters[c].force;
+  for (const FabricElement& element : fabric_.elements)
+    for (int q = 0; q < element.points; ++q) {
+      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      for (int i = 0; i < element.nodes; ++i)
+        force[static_cast<size_t>(cluster_of(element.site[static_cast<size_t>(i)]))] -=
+            point.force[static_cast<size_t>(i)].dot(point.body_normal);
+    }
+  for (size_t c = 0; c < force.size(); ++c) force[c] = pressure(force[c], fabric_.clusters[c].area);
+  return force;
+}
+
+/// Nothing if the elements around it do not tell.
+std::optional<SitePressure> Recoverer::fitted(int site) {
+  const ContactCluster& at = cluster(site);
+  const std::vector<int>& patch = patches_.around(site, 0);
+  const std::optional<double> mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0);
+  if (!mean) return std::nullopt;
+  const double linear = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(*mean);
+  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
+  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(*mean);
+  return SitePressure{linear - load(site), std::abs(quadratic - linear) + std::abs(laid - linear)};
+}
+
+/// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
+double Recoverer::load(int site) const {
+  double sum = 0.0, area = 0.0;
+  for (const int e : patches_.at(site)) {
+    const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
+    for (int q = 0; q < element.points; ++q) {
+      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      sum += point.area * element.load * point.normal.dot(cluster(site).surface.normal);
+      area += point.area;
+    }
+  }
+  return pressure(sum, area);
+}
+
+/// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
+/// Passes from sites to elements and back, 36 of them: as wide as a Helmholtz filter with a length of 3 elements.
+void Recoverer::average_errors() {
+  constexpr int passes = 36;
+  std::vector<double> square(fabric_.site_cluster.size(), 0.0), sum, weight;
+  for (size_t s = 0; s < square.size(); ++s) square[s] = out_.site[s].error * out_.site[s].error;
+  std::vector<double> area(fabric_.elements.size(), 0.0);
+  for (size_t e = 0; e < area.size(); ++e)
+    for (int q = 0; q < fabric_.elements[e].points; ++q)
+      area[e] += fabric_.points[static_cast<size_t>(fabric_.elements[e].first_point + q)].area;
+  for (int pass = 0; pass < passes; ++pass) {
+    sum.assign(square.size(), 0.0);
+    weight.assign(square.size(), 0.0);
+    for (size_t e = 0; e < area.size(); ++e) {
+      const FabricElement& element = fabric_.elements[e];
+      double mean = 0.0;
+      int count = 0;
+      for (int i = 0; i < element.nodes; ++i) {
+        const int site = element.site[static_cast<size_t>(i)];
+        if (!touches(site)) continue;
+        mean += square[static_cast<size_t>(site)];
+        ++count;
+      }
+      for (int i = 0; i < element.nodes && count > 0; ++i) {
+        const auto site = static_cast<size_t>(element.site[static_cast<size_t>(i)]);
+        sum[site] += area[e] * mean / count;
+        weight[site] += area[e];
+      }
+    }
+    for (size_t s = 0; s < square.size(); ++s)
+      if (touches(static_cast<int>(s)) && weight[s] > 0.0) square[s] = sum[s] / weight[s];
+  }
+  for (size_t s = 0; s < square.size(); ++s) out_.site[s].error = std::sqrt(square[s]);
+}
+
+Recovery Recoverer::run() {
+  out_.site.assign(fabric_.site_cluster.size(), {});
+  find_places();
+  const std::vector<double> untilted_pressure = untilted();
+  std::vector<bool> unknown(fabric_.site_cluster.size(), false);  // whose error no other opinion tells
+  for (size_t s = 0; s < fabric_.site_cluster.size(); ++s) {
+    const int site = static_cast<int>(s);
+    if (!touches(site)) continue;
+    const double force_pressure = std::max(0.0, untilted_pressure[static_cast<size_t>(cluster_of(site))]);
+    const bool held = cluster(site).held;
+    const bool told = (place(site) != Place::isolated || held) && cluster(site).surface.found;
+    const std::optional<SitePressure> found = told ? fitted(site) : std::nullopt;
+    unknown[s] = !found;
+    out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
+    if (!found || place(site) != Place::border || held) continue;
+    out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
+    out_.site[s].pressure = force_pressure;
+  }
+  average_errors();
+  for (size_t s = 0; s < fabric_.site_cluster.size(); ++s) {
+    SitePressure& site = out_.site[s];
+    site.pressure = std::max(0.0, site.pressure);
+    if (!touches(static_cast<int>(s))) site = {};
+    if (unknown[s]) site.error = site.pressure;
+  }
+  return out_;
+}
+
+}  // namespace
+
+Recovery recover(const FabricInContact& fabric) {
+  return Recoverer(fabric).run();
+}
+
+}  // namespace toile::contact

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "toile/solve/fields.hpp"
+
+namespace toile::solve {
+
+/// Fills pressure, pressure_error, contact_force, gap, normal and what they count, on the calling rank; position and
+/// area are there already.
+void add_contact_pressure(const Problem& problem, const State& state, Fields& fields);
+
+}  // namespace toile::solve

@@ -1,0 +1,126 @@
+// Pressures that were not those of the fabric: on triangles and graded meshes, at nodes that a support holds.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "app/exodus.hpp"
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+class Pressure : public ProgramTest {
+ protected:
+  /// Runs test/data/cases/pressure/<name>.xml with each text replaced wherever it stands.
+  void run(const std::string& name, const Edits& edits) const {
+    std::ifstream stream(TOILE_SOURCE_DIR "/test/data/cases/pressure/" + name + ".xml");
+    std::string text((std::istreambuf_iterator<char>(stream)), {});
+    for (const auto& [from, to] : edits) {
+      size_t at = text.find(from);
+      ASSERT_NE(at, std::string::npos) << name << " does not contain " << from;
+      for (; at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    }
+    write("scene.xml", text);
+    const Outcome outcome = toile("run scene.xml --output out");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  /// A field at the garment's nodes, in their order: those of the body, behind them, have no area.
+  std::vector<double> field(const std::string& name) const {
+    const ExodusStep last(path("out/results.exo"));
+    std::vector<double> values = last.nodal(name);
+    const std::vector<double> area = last.nodal("area");
+    values.resize(static_cast<size_t>(std::find(area.begin(), area.end(), 0.0) - area.begin()));
+    return values;
+  }
+  void expect_everywhere(double kpa, double tolerance) const {
+    const std::vector<double> pressure = field("pressure"), error = field("pressure_error");
+    ASSERT_FALSE(pressure.empty());
+    for (size_t n = 0; n < pressure.size(); ++n) {
+      EXPECT_NEAR(pressure[n], kpa, tolerance * kpa) << "node " << n + 1;
+      EXPECT_LE(error[n], 2.0 * tolerance * kpa) << "node " << n + 1;
+    }
+  }
+};
+
+/// Parts of sleeve.xml that the tests replace.
+const std::string triangle = R"(value="triangle")", uniform = R"(value="1.0")", thin = R"(value="0.5")",
+                  middle = R"(name="contact surface" type="string" value="mid-surface")";
+
+// The pressure of a sleeve on a cylinder is 1.0931 kPa at every node, edges and seam too, on quadrilaterals and on
+// triangles, on uniform and on graded meshes. The widest elements of the graded one are 15 mm, so it needs twice as
+// many.
+TEST_F(Pressure, IsTheSameOnTrianglesAndGradedMeshes) {
+  for (const std::string elements : {"triangle", "quadrilateral"}) {
+    const std::string kind = "value=\"" + elements + "\"";
+    run("sleeve", {{triangle, kind}});
+    expect_everywhere(1.0931, 0.005);
+    run("sleeve", {{triangle, kind}, {uniform, R"(value="1.6")"}});
+    expect_everywhere(1.0931, 0.01);
+    run("sleeve", {{triangle, kind}, {uniform, R"(value="1.6")"}, {R"(value="40")", R"(value="80")"}});
+    expect_everywhere(1.0931, 0.005);
+  }
+}
+
+// A fabric of 4 mm on its inner face presses with 9.1395 kPa per area of its mid-surface, on triangles too, and with
+// 9.3843 kPa per area of its inner face, which is what the skin feels.
+TEST_F(Pressure, IsPerTheAreaThatIsAskedFor) {
+  const std::string inner = R"(name="contact surface" type="string" value="inner face")";
+  run("sleeve", {{thin, "value=\"4.0\""}, {middle, inner}});
+  expect_everywhere(9.1395, 0.005);
+  run("sleeve", {{thin, "value=\"4.0\""},
+                 {middle + "/>", inner + R"(/><Parameter name="pressure area" type="string" value="inner face"/>)"}});
+  expect_everywhere(9.3843, 0.005);
+}
+
+// On triangles of membranes and of shells the pressure of a sleeve on a cylinder converges with second order to T/R.
+TEST_F(Pressure, OfTrianglesIsOfSecondOrder) {
+  constexpr double c10 = 8.4667e-3, stretch = 1.2, radius = 60.0;  // MPa, hoop, mm
+  const double axial = 1.0 / std::sqrt(stretch);                   // free end
+  const double exact = 1e3 * 2.0 * c10 / axial * (stretch - std::pow(axial, -2) * std::pow(stretch, -3)) / radius;
+  const Edits shell = {
+      {"      <ParameterList name=\"Placement\">",
+       "      <ParameterList name=\"Shell\"/>\n      <ParameterList name=\"Placement\">"},
+      {"  <ParameterList name=\"Supports\">",
+       "  <ParameterList name=\"Supports\">\n    <ParameterList name=\"seam\"><Parameter name=\"on\" "
+       "type=\"Array(string)\" value=\"{sleeve.left, sleeve.right}\"/><Parameter name=\"hold\" type=\"string\" "
+       "value=\"y\"/><Parameter name=\"director\" type=\"string\" value=\"symmetry\"/></ParameterList>"}};
+  for (const Edits& kind : {Edits(), shell}) {
+    std::array<double, 2> error{};
+    for (const int level : {0, 1}) {
+      Edits edits = kind;
+      edits.push_back({R"(value="24")", "value=\"" + std::to_string(24 << level) + "\""});
+      edits.push_back({R"(value="8")", "value=\"" + std::to_string(8 << level) + "\""});
+      run("cylinder-triangle", edits);
+      for (const double p : field("pressure"))
+        error[static_cast<size_t>(level)] = std::max(error[static_cast<size_t>(level)], std::abs(p / exact - 1.0));
+    }
+    EXPECT_LE(error[1], 0.01);
+    EXPECT_GE(std::log2(error[0] / error[1]), 1.8);
+  }
+}
+
+// On a stocking that is held along z everywhere, the pressure on the seam is that beside it, on two meshes, and the
+// same on both: what the support takes is no pressure.
+TEST_F(Pressure, OnASeamIsThatBesideIt) {
+  std::array<double, 2> ankle{};
+  for (const int mesh : {0, 1}) {
+    const int across = 15 << mesh, along = 50;
+    run("seam-line",
+        {{"INPUT", TOILE_SOURCE_DIR "/input"}, {"ACROSS", std::to_string(across)}, {"ALONG", std::to_string(along)}});
+    const std::vector<double> pressure = field("pressure");
+    const auto at = [&](int panel, int i, int j) {
+      return pressure[static_cast<size_t>((panel * (along + 1) + j) * (across + 1) + i)];
+    };
+    for (int j = 0; j <= along; ++j) {
+      EXPECT_NEAR(at(0, across, j), at(0, across - 1, j), 0.03 * at(0, across, j)) << "front, row " << j;
+      EXPECT_NEAR(at(1, 0, j), at(0, across, j), 0.03 * at(0, across, j)) << "seam, row " << j;
+    }
+    ankle[static_cast<size_t>(mesh)] = at(0, across, 2);
+  }
+  EXPECT_NEAR(ankle[0], ankle[1], 0.01 * ankle[1]);
+}
+
+}  // namespace
+}  // namespace toile::test
