@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "exodus.hpp"
@@ -12,13 +13,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The row of a level in pressure-levels.csv: its numbers after the name.
+/// The row of a level in pressure-levels.csv: its numbers after the name, 0 for a text.
 std::vector<double> level_row(const std::string& csv, const std::string& level) {
   const size_t at = csv.find("\n" + level + ",");
   if (at == std::string::npos) return {};
   std::istringstream row(csv.substr(at + level.size() + 2, csv.find('\n', at + 1) - at - level.size() - 2));
   std::vector<double> values;
-  for (std::string cell; std::getline(row, cell, ',');) values.push_back(cell.empty() ? NAN : std::stod(cell));
+  for (std::string cell; std::getline(row, cell, ',');) values.push_back(cell.empty() ? NAN : std::strtod(cell.c_str(), nullptr));
   return values;
 }
 

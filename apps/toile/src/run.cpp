@@ -2,13 +2,17 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
+#include "checks.hpp"
 #include "commands.hpp"
+#include "findings.hpp"
 #include "recorder.hpp"
 #include "start.hpp"
+#include "stop_signal.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
@@ -55,6 +59,22 @@ std::string kept_text(Recorder& recorder, const std::string& folder) {
   return " No step was accepted; the start is in " + folder + "/start.exo.";
 }
 
+/// The tables over the steps that were accepted; that the stage failed matters more than that they cannot be written.
+void write_histories_of_failed_run(std::optional<Recorder>& recorder, base::Log& log) {
+  try {
+    on_first_rank([&] { recorder->write_histories(log); });
+  } catch (const base::Error& error) {
+    log.warn(error.what());
+  }
+}
+
+/// The files of a run that has ended.
+std::string files_text(const Recorder& recorder) {
+  std::string text = "Files in " + recorder.folder() + ":";
+  for (const std::string& name : recorder.written()) text += " " + name;
+  return text;
+}
+
 /// What is good to know of a run and what limits the trust in it, whether or not it reached its end.
 void tell(const solve::Simulation& simulation, base::Log& log) {
   for (const std::string& note : simulation.notes()) log.info("note: " + note);
@@ -73,6 +93,59 @@ base::ProgressPoint progress_of(const solve::StepReport& r, int stage_number, in
   point.seconds = seconds;
   point.final_state = r.undamped;
   return point;
+}
+
+/// What the terminal shows while a stage runs: a line an accepted step, and one now and then inside a step that takes
+/// long.
+class Progress {
+ public:
+  Progress(const scene::Scene& scene, const base::Timer& timer, base::Log& log, double interval)
+      : scene_(scene), timer_(timer), log_(log), heartbeat_(interval, [&timer] { return timer.elapsed(); }) {}
+
+  void start_stage() {
+    ++stage_number_;
+    path_.start(timer_.elapsed());
+  }
+  void step(const solve::StepReport& report) {
+    base::ProgressPoint point = progress_of(report, stage_number_, stages(), timer_.elapsed());
+    path_.reach(report.parameter, point.seconds);
+    if (!report.undamped) point.left = path_.left();
+    log_.info(base::progress_line(point));
+    heartbeat_.line_printed();
+  }
+  void iteration(const solve::IterationReport& report) {
+    if (!log_.prints() || !heartbeat_.due()) return;
+    base::IterationPoint point;
+    point.stage = report.stage;
+    point.stage_number = stage_number_;
+    point.stages = stages();
+    point.parameter = report.parameter;
+    point.relaxing = report.relaxing;
+    point.iteration = report.iteration;
+    point.cut_backs = report.cut_backs;
+    point.residual = report.residual;
+    point.tolerance = scene_.solver().newton.tolerance;
+    point.seconds = timer_.elapsed();
+    log_.info(base::iteration_line(point));
+  }
+
+ private:
+  int stages() const { return static_cast<int>(scene_.stages().size()); }
+
+  const scene::Scene& scene_;
+  const base::Timer& timer_;
+  base::Log& log_;
+  base::Heartbeat heartbeat_;
+  base::PathClock path_;
+  int stage_number_ = 0;
+};
+
+/// A garment that does not press may be right, but nobody runs a scene for it.
+void tell_idle(const scene::Scene& scene, const solve::Fields& fields, base::Log& log) {
+  constexpr double nothing = 1e-7;  // MPa
+  const auto presses = [](double pressure) { return pressure > nothing; };
+  if (scene.problem().surface != nullptr && std::none_of(fields.pressure.begin(), fields.pressure.end(), presses))
+    log.warn("the garment presses on the body nowhere: it is wider than the body, or beside it");
 }
 
 std::string folder_of(const RunArguments& arguments) {
@@ -104,37 +177,47 @@ int run(const RunArguments& arguments) {
 
   tell_start(scene::look_at_start(scene, list), log);
 
+  catch_stop_signals();
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());
-  int stage_number = 0;
+  Progress progress(scene, timer, log, arguments.heartbeat);
+  simulation.observe_iterations([&](const solve::IterationReport& report) { progress.iteration(report); });
+  simulation.stop_when(stop_signal);
   simulation.observe([&](const solve::StepReport& r, const solve::State& state) {
-    const int stages = static_cast<int>(scene.stages().size());
-    log.info(base::progress_line(progress_of(r, stage_number, stages, timer.elapsed())));
+    progress.step(r);
     const auto phase = timer.phase("output");
     on_first_rank([&] { recorder->step(r, state); });
   });
   for (const solve::StageOptions& stage : scene.stages()) {
-    ++stage_number;
+    progress.start_stage();
     const auto phase = timer.phase("solve");
     try {
       simulation.run(stage);
     } catch (const base::SolveError& error) {
       tell(simulation, log);
+      write_histories_of_failed_run(recorder, log);
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
 
   std::vector<std::string> failed;
   on_first_rank([&] {
+    const solve::StepReport& last = recorder->reports().back();
+    PressureReport pressure;
     {
       const auto phase = timer.phase("curves");
-      recorder->finish(log);
+      pressure = pressure_report(scene, recorder->last(), last);
+      recorder->write_histories(log);
+      recorder->write_pressure(pressure, log);
     }
-    const solve::StepReport& last = recorder->reports().back();
     tell(simulation, log);
+    for (const std::string& warning : pressure.warnings) log.warn(warning);
+    tell_idle(scene, recorder->last(), log);
     for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
-    failed = failed_checks(scene, figures_of(recorder->last(), last));
+    log.info(findings(scene, recorder->last(), pressure) + files_text(*recorder));
+    if (const auto warning = implausible_pressure(scene, recorder->last())) log.warn(*warning);
+    failed = failed_checks(scene, figures_of(recorder->last(), last), pressure);
     std::string all;
     for (const std::string& f : failed) all += (all.empty() ? "" : "\n") + f;
     if (!failed.empty()) throw base::Error(base::ExitCode::check_failed, all);
