@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +34,13 @@ struct Sleeve {
     }
   }
   static double pressure_at(double z) { return 1.0 + 0.01 * z; }
-  std::vector<double> map() const { return map_to_body(mesh, mesh.placed, pressure, gap, body); }
+  std::vector<double> map() const {
+    GarmentOnBody garment{&mesh, mesh.placed, tied_by_place(mesh), gap, {}};
+    for (const mesh::Vec3& node : mesh.placed) {
+      garment.normal.push_back(mesh::Vec3(node.x(), node.y(), 0.0).normalized());
+    }
+    return BodyMap(garment, body).map(pressure);
+  }
   int covered(const std::vector<double>& field) const {
     return static_cast<int>(std::count_if(field.begin(), field.end(), [](double p) { return p > 0.0; }));
   }
@@ -96,6 +103,44 @@ TEST(BodyMap, LimitGrowsWithTheGap) {
   EXPECT_EQ(sleeve.covered(sleeve.map()), 0);
   std::fill(sleeve.gap.begin(), sleeve.gap.end(), 8.0);
   expect_under_sleeve(sleeve.body, sleeve.map(), 4.0);
+}
+
+/// Makes the sleeve of two layers, the outer one with half of the inner one's pressure, turned inside out and rotated
+/// by `turn` of an element.
+void add_layer(Sleeve& sleeve, double turn) {
+  const std::size_t nodes = sleeve.mesh.placed.size();
+  mesh::Block outer = sleeve.mesh.blocks[0];
+  outer.name = "outer";
+  for (int& node : outer.connectivity) {
+    node += static_cast<int>(nodes);
+  }
+  for (std::size_t i = 0; i < outer.connectivity.size(); i += 4) {
+    std::swap(outer.connectivity[i + 1], outer.connectivity[i + 3]);
+  }
+  sleeve.mesh.blocks.push_back(outer);
+  const Eigen::AngleAxisd rotation(turn * 2.0 * M_PI / 72, mesh::Vec3::UnitZ());
+  for (std::size_t n = 0; n < nodes; ++n) {
+    sleeve.mesh.placed.push_back(rotation * sleeve.mesh.placed[n]);
+    sleeve.mesh.pattern.push_back(sleeve.mesh.pattern[n]);
+    sleeve.pressure.push_back(0.5 * sleeve.pressure[n]);
+    sleeve.gap.push_back(0.0);
+  }
+}
+
+// The skin feels the sum of the layers that lie over it, whichever of their sides they show it, even where they lie in
+// the same place node on node.
+TEST(BodyMap, LayersAddUp) {
+  for (const double turn : {0.0, 0.3}) {
+    Sleeve sleeve;
+    add_layer(sleeve, turn);
+    const std::vector<double> field = sleeve.map();
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double z = sleeve.body.vertices[i].z();
+      if (z > 50.0 && z < 150.0) {
+        EXPECT_NEAR(field[i], 1.5 * Sleeve::pressure_at(z), 1e-9) << "height " << z << ", turn " << turn;
+      }
+    }
+  }
 }
 
 }  // namespace

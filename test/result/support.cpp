@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "toile/base/error.hpp"
@@ -47,6 +50,18 @@ mesh::Mesh tube(const Profile& radius, double first_height, double height, int a
   }
   mesh.blocks.push_back(block);
   return mesh;
+}
+
+std::vector<int> tied_by_place(const mesh::Mesh& mesh) {
+  std::vector<int> tied(mesh.placed.size());
+  for (const mesh::Block& block : mesh.blocks) {
+    std::map<std::array<double, 3>, int> first;
+    for (const int n : std::set<int>(block.connectivity.begin(), block.connectivity.end())) {
+      const mesh::Vec3& x = mesh.placed[static_cast<std::size_t>(n)];
+      tied[static_cast<std::size_t>(n)] = first.try_emplace({x.x(), x.y(), x.z()}, n).first->second;
+    }
+  }
+  return tied;
 }
 
 body::TriangleMesh revolution(const Profile& radius, double first_height, double height, int around, int along) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "toile/body/surface.hpp"
 #include "toile/mesh/mesh.hpp"
@@ -15,6 +16,9 @@ using Profile = std::function<double(double)>;
 /// A panel named "tube" of quadrilaterals wrapped around the z axis, closed by coinciding nodes, normals outwards.
 /// Edges "tube.bottom" and "tube.top". `first_height` and `height` in mm.
 mesh::Mesh tube(const Profile& radius, double first_height, double height, int around, int along);
+
+/// [node] the first node of each panel that lies at its place, as a closed seam ties them.
+std::vector<int> tied_by_place(const mesh::Mesh& mesh);
 
 /// Triangles of a body of revolution about the z axis, normals outwards, without end caps.
 body::TriangleMesh revolution(const Profile& radius, double first_height, double height, int around, int along);

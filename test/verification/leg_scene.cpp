@@ -57,8 +57,15 @@ base::List read_coarse(const std::string& name, const std::string& more) {
 }  // namespace
 
 std::vector<LegLevel> Leg::levels() const {
-  const result::GarmentFields garment{&scene->garment().mesh, fields.position, fields.pressure,
-                                      element_field(fields, "tension_course"), element_field(fields, "cauchy_minor")};
+  result::GarmentFields garment;
+  garment.mesh = &scene->garment().mesh;
+  garment.position = fields.position;
+  garment.tied.resize(fields.position.size());
+  for (const std::vector<int>& cluster : scene->problem().clusters)
+    for (const int n : cluster) garment.tied[static_cast<size_t>(n)] = cluster.front();
+  garment.pressure = fields.pressure;
+  garment.tension = fields.tension;
+  garment.smallest_stress = element_field(fields, "cauchy_minor");
   std::vector<result::Level> wanted;
   for (const scene::Level& level : scene->output().levels) wanted.push_back({level.name, level.height});
   std::vector<LegLevel> found;

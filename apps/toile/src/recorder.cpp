@@ -4,10 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tables.hpp"
 #include "toile/base/error.hpp"
-#include "toile/result/body_map.hpp"
-#include "toile/result/csv.hpp"
-#include "toile/result/plot.hpp"
+#include "toile/result/available.hpp"
 #include "toile/result/pressure_lines.hpp"
 #include "toile/result/replace_file.hpp"
 #include "toile/result/state_file.hpp"
@@ -23,8 +22,9 @@ const std::string exodus_name = "results.exo", history_name = "history.h5", rest
 
 /// Every file that a run may write into its folder.
 std::vector<std::string> result_files() {
-  std::vector<std::string> names = {exodus_name,           history_name,         restart_name, start_name,
-                                    "pressure-levels.csv", "pressure-curve.csv", "points.csv"};
+  std::vector<std::string> names = {exodus_name,  history_name,          restart_name,
+                                    start_name,   "pressure-levels.csv", "pressure-curve.csv",
+                                    "points.csv", "distances.csv",       "reactions.csv"};
   for (const std::string plot : {"pressure", "force-curves", "torques"})
     for (const char* ending : {".csv", ".dat", ".gp", ".svg", ".png"}) names.push_back(plot + ending);
   return names;
@@ -34,22 +34,6 @@ std::vector<result::FieldName> names_of(const std::vector<solve::NamedField>& fi
   std::vector<result::FieldName> names;
   for (const solve::NamedField& field : fields) names.push_back({field.name, field.unit});
   return names;
-}
-
-/// [element] true where some nodes are held by a support and others are not.
-std::vector<bool> elements_at_supports(const scene::Scene& scene) {
-  const mesh::Mesh& mesh = scene.garment().mesh;
-  std::vector<bool> held(static_cast<size_t>(mesh.nodes()), false), at_support;
-  for (const solve::Support& support : scene.problem().supports)
-    for (const int n : support.nodes) held[n] = true;
-  for (const mesh::Block& block : mesh.blocks) {
-    const int per = block.nodes_per_element;
-    for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += per) {
-      const auto count = std::count_if(node, node + per, [&](int n) { return held[n]; });
-      at_support.push_back(count > 0 && count < per);
-    }
-  }
-  return at_support;
 }
 
 }  // namespace
@@ -68,6 +52,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
 void Recorder::open_files(const solve::StepReport& report) {
   const std::vector<result::FieldName> globals = open_exodus(exodus_name, report);
   history_ = std::make_unique<result::History>(folder_ + "/" + history_name, globals);
+  if (result::files_available()) written_ = {exodus_name, history_name, restart_name};
 }
 
 std::vector<result::FieldName> Recorder::open_exodus(const std::string& file, const solve::StepReport& report) {
@@ -118,14 +103,22 @@ void Recorder::step(const solve::StepReport& report, const solve::State& state) 
   if (reports_.size() == 1) remove_older();
 }
 
+std::optional<result::BodyMap> Recorder::body_map(const solve::StepReport& report) const {
+  const auto presses = [](double force) { return force > 0.0; };
+  if (std::none_of(fields_.contact_force.begin(), fields_.contact_force.end(), presses)) return std::nullopt;
+  return result::BodyMap(
+      {&scene_.garment().mesh, fields_.position, tied_nodes(scene_.problem(), report), fields_.gap, fields_.normal},
+      body_);
+}
+
 void Recorder::write_fields(const solve::StepReport& report) {
   result::StepData data;
   const mesh::Mesh& mesh = scene_.garment().mesh;
   for (size_t n = 0; n < fields_.position.size(); ++n)
     data.displacement.push_back(fields_.position[n] - mesh.placed[n]);
+  const auto on_body = body_map(report);
   for (solve::NamedField& field : solve::nodal_fields(scene_.problem(), fields_)) {
-    if (field.on_body)
-      data.body_nodal[field.name] = result::map_to_body(mesh, fields_.position, field.values, fields_.gap, body_);
+    if (field.on_body && on_body) data.body_nodal[field.name] = on_body->map(field.values);
     data.nodal[field.name] = std::move(field.values);
   }
   for (solve::NamedField& field : solve::element_fields(fields_)) data.element[field.name] = std::move(field.values);
@@ -157,93 +150,47 @@ void Recorder::write_restart(const solve::StepReport& report, const solve::State
   result::write_state(folder_ + "/" + restart_name, data);
 }
 
-void Recorder::finish(base::Log& log) {
+void Recorder::write_histories(base::Log& log) {
   if (reports_.empty()) return;
   const scene::Output& output = scene_.output();
-  if (scene_.surface() != nullptr && (output.stations > 0 || !output.levels.empty())) write_pressure(log);
-  if (!output.force_curves.empty()) write_forces(log);
-  if (!output.points.empty()) write_points();
-  if (any_turns(scene_.problem())) write_torques(log);
-}
-
-void Recorder::write_torques(base::Log& log) const {
-  const result::Table table = torque_table(scene_.problem(), reports_);
-  result::write_csv(folder_ + "/torques.csv", table);
-  if (const auto warning = result::write_plot(folder_, "torques", torque_plot(scene_.title(), table)))
-    log.warn(*warning);
-}
-
-void Recorder::write_points() const {
-  result::Table table;
-  table.columns = {{{"step", ""}, {}}, {{"load", ""}, {}}};
-  for (const solve::StepReport& r : reports_) {
-    table.columns[0].values.push_back(r.step);
-    table.columns[1].values.push_back(r.load);
+  write("reactions", reaction_table(scene_.problem(), reports_));
+  if (!output.points.empty()) write("points", point_table(output, reports_, points_));
+  if (!output.distances.empty()) write("distances", distance_table(output, reports_, distances_));
+  if (!output.force_curves.empty()) {
+    write("force-curves", force_table(scene_, reports_, distances_));
+    draw("force-curves", force_plot(scene_, reports_), log);
   }
-  for (size_t i = 0; i < points_.size(); ++i)
-    for (Eigen::Index d = 0; d < 3; ++d) {
-      std::vector<double> values;
-      for (const solve::Vec3& u : points_[i]) values.push_back(u[d]);
-      table.columns.push_back({{scene_.output().points[i].title + ": displacement " + "xyz"[d], "mm"}, values});
-    }
-  result::write_csv(folder_ + "/points.csv", table);
+  if (any_turns(scene_.problem())) {
+    const result::Table table = torque_table(scene_.problem(), reports_);
+    write("torques", table);
+    draw("torques", torque_plot(scene_.title(), table), log);
+  }
 }
 
-void Recorder::write_pressure(base::Log& log) const {
+void Recorder::write_pressure(const PressureReport& pressure, base::Log& log) {
   const scene::Output& output = scene_.output();
-  const std::vector<solve::NamedField> elements = solve::element_fields(fields_);
-  const result::GarmentFields garment{&scene_.garment().mesh,
-                                      fields_.position,
-                                      fields_.pressure,
-                                      solve::named(elements, "tension_course").values,
-                                      solve::named(elements, "cauchy_minor").values,
-                                      elements_at_supports(scene_)};
-  const result::Axis axis{output.axis_point, output.axis_direction};
-  std::vector<result::LevelRow> curve, rows;
   if (output.stations > 0) {
-    curve = result::pressure_curve(garment, axis, output.stations);
-    result::write_pressure_csv(folder_ + "/pressure-curve.csv", curve);
+    result::write_pressure_csv(folder_ + "/pressure-curve.csv", pressure.curve);
+    written_.push_back("pressure-curve.csv");
   }
   if (!output.levels.empty()) {
-    std::vector<result::Level> levels;
-    for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});
-    rows = result::levels(garment, axis, levels);
-    result::write_pressure_csv(folder_ + "/pressure-levels.csv", rows);
+    result::write_pressure_csv(folder_ + "/pressure-levels.csv", pressure.levels);
+    written_.push_back("pressure-levels.csv");
   }
-  const result::Plot plot = result::pressure_plot(scene_.title(), curve, rows);
-  if (const auto warning = result::write_plot(folder_, "pressure", plot)) log.warn(*warning);
+  if (output.stations > 0 || !output.levels.empty())
+    draw("pressure", result::pressure_plot(scene_.title(), pressure.curve, pressure.levels), log);
 }
 
-void Recorder::write_forces(base::Log& log) const {
-  const scene::Output& output = scene_.output();
-  result::Table table;
-  result::Plot plot;
-  plot.title = scene_.title();
-  plot.x_label = "stretch";
-  plot.y_label = "force (N)";
-  result::Column step{{"step", ""}, {}}, load{{"load", ""}, {}};
-  for (const solve::StepReport& r : reports_) {
-    step.values.push_back(r.step);
-    load.values.push_back(r.load);
-  }
-  table.columns = {step, load};
-  for (const scene::ForceCurve& curve : output.force_curves) {
-    const solve::Support& support = scene_.problem().supports[curve.support];
-    const solve::Vec3& move = support.displacement;
-    result::Series series;
-    series.title = curve.title;
-    for (const solve::StepReport& r : reports_) {
-      series.x.push_back(1.0 + support.path.share(r.load) * move.norm() / curve.length);
-      series.y.push_back(move.norm() > 0.0 ? r.balance.support[curve.support].dot(move) / move.norm() : 0.0);
-    }
-    table.columns.push_back({{curve.title + ": stretch", ""}, series.x});
-    table.columns.push_back({{curve.title + ": force", "N"}, series.y});
-    plot.series.push_back(series);
-  }
-  for (size_t i = 0; i < distances_.size(); ++i)
-    table.columns.push_back({{output.distances[i].title, "mm"}, distances_[i]});
-  result::write_csv(folder_ + "/force-curves.csv", table);
-  if (const auto warning = result::write_plot(folder_, "force-curves", plot)) log.warn(*warning);
+void Recorder::write(const std::string& name, const result::Table& table) {
+  constexpr int exact = 17;  // digits
+  result::write_csv(folder_ + "/" + name + ".csv", table, exact);
+  written_.push_back(name + ".csv");
+}
+
+void Recorder::draw(const std::string& name, const result::Plot& plot, base::Log& log) {
+  const auto warning = result::write_plot(folder_, name, plot);
+  if (warning) log.warn(*warning);
+  written_.push_back(warning ? name + ".dat" : name + ".png");
 }
 
 }  // namespace toile::app

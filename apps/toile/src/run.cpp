@@ -7,7 +7,9 @@
 #include <iostream>
 #include <optional>
 
+#include "checks.hpp"
 #include "commands.hpp"
+#include "findings.hpp"
 #include "recorder.hpp"
 #include "start.hpp"
 #include "stop_signal.hpp"
@@ -55,6 +57,22 @@ std::string kept_text(Recorder& recorder, const std::string& folder) {
     return std::string(" No step was accepted, and the start is not written either: ") + error.what();
   }
   return " No step was accepted; the start is in " + folder + "/start.exo.";
+}
+
+/// The tables over the steps that were accepted; that the stage failed matters more than that they cannot be written.
+void write_histories_of_failed_run(std::optional<Recorder>& recorder, base::Log& log) {
+  try {
+    on_first_rank([&] { recorder->write_histories(log); });
+  } catch (const base::Error& error) {
+    log.warn(error.what());
+  }
+}
+
+/// The files of a run that has ended.
+std::string files_text(const Recorder& recorder) {
+  std::string text = "Files in " + recorder.folder() + ":";
+  for (const std::string& name : recorder.written()) text += " " + name;
+  return text;
 }
 
 /// What is good to know of a run and what limits the trust in it, whether or not it reached its end.
@@ -177,22 +195,29 @@ int run(const RunArguments& arguments) {
       simulation.run(stage);
     } catch (const base::SolveError& error) {
       tell(simulation, log);
+      write_histories_of_failed_run(recorder, log);
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }
 
   std::vector<std::string> failed;
   on_first_rank([&] {
+    const solve::StepReport& last = recorder->reports().back();
+    PressureReport pressure;
     {
       const auto phase = timer.phase("curves");
-      recorder->finish(log);
+      pressure = pressure_report(scene, recorder->last(), last);
+      recorder->write_histories(log);
+      recorder->write_pressure(pressure, log);
     }
-    const solve::StepReport& last = recorder->reports().back();
     tell(simulation, log);
+    for (const std::string& warning : pressure.warnings) log.warn(warning);
     tell_idle(scene, recorder->last(), log);
     for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
-    failed = failed_checks(scene, figures_of(recorder->last(), last));
+    log.info(findings(scene, recorder->last(), pressure) + files_text(*recorder));
+    if (const auto warning = implausible_pressure(scene, recorder->last())) log.warn(*warning);
+    failed = failed_checks(scene, figures_of(recorder->last(), last), pressure);
     std::string all;
     for (const std::string& f : failed) all += (all.empty() ? "" : "\n") + f;
     if (!failed.empty()) throw base::Error(base::ExitCode::check_failed, all);

@@ -14,7 +14,7 @@ namespace toile::app {
 struct Figures {
   double largest_pressure = 0.0;   ///< kPa
   double smallest_pressure = 0.0;  ///< kPa, among nodes in contact
-  double smallest_stress = 0.0;    ///< smallest principal Cauchy stress, kPa
+  double smallest_stress = 0.0;    ///< smallest principal Cauchy stress, kPa; 0 if it is round-off
   double force_balance = 0.0;      ///< residual of all forces over the sum of their magnitudes
   double largest_gap = 0.0;        ///< mm
   double dissipation_ratio = 0.0;
@@ -30,8 +30,5 @@ std::vector<std::string> field_warnings(const solve::Fields& fields, const solve
 /// The summary that ends a run.
 std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,
                     const solve::SolveStatistics& statistics, const base::Timer& timer);
-
-/// One message for each check of the scene that does not hold.
-std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures& figures);
 
 }  // namespace toile::app

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tables.hpp"
+
 namespace toile::app {
 
 namespace {
@@ -17,12 +19,7 @@ bool any_turns(const solve::Problem& problem) {
 }
 
 result::Table torque_table(const solve::Problem& problem, const std::vector<solve::StepReport>& reports) {
-  result::Table table;
-  table.columns = {{{"step", ""}, {}}, {{"load", ""}, {}}};
-  for (const solve::StepReport& r : reports) {
-    table.columns[0].values.push_back(r.step);
-    table.columns[1].values.push_back(r.load);
-  }
+  result::Table table = step_table(reports);
   for (size_t s = 0; s < problem.supports.size(); ++s) {
     const solve::Support& support = problem.supports[s];
     if (!support.turn) continue;

@@ -6,7 +6,9 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <map>
 
 #include "mesh_geometry.hpp"
@@ -132,6 +134,36 @@ TriangleTree::Hit TriangleTree::closest(const Vec3& point) const {
   hit.distance = (point - hit.point).norm();
   hit.signed_distance = std::copysign(hit.distance, hit.pseudo_normal.dot(point - hit.point));
   return hit;
+}
+
+std::vector<TriangleTree::Hit> TriangleTree::crossings(const Vec3& from, const Vec3& to) const {
+  constexpr double beside = 1e-9;  // of a facet
+  const Vec3 step = to - from;
+  const Vec3 margin = Vec3::Constant(beside * (step.norm() + from.norm()));
+  const CGAL::Bbox_3 box = to_cgal(from.cwiseMin(to) - margin).bbox() + to_cgal(from.cwiseMax(to) + margin).bbox();
+  std::vector<Iterator> found;
+  data_->tree.all_intersected_primitives(Kernel::Iso_cuboid_3(box), std::back_inserter(found));
+  std::vector<Hit> hits;
+  for (const Iterator& facet : found) {
+    Hit hit;
+    hit.triangle = data_->original[static_cast<std::size_t>(facet - data_->facets.cbegin())];
+    const auto& corners = data_->mesh.triangles[hit.triangle];
+    const auto& vertices = data_->mesh.vertices;
+    const Vec3& normal = data_->facet_normals[hit.triangle];
+    const double along = normal.dot(step);
+    if (std::abs(along) < beside * step.norm()) continue;
+    const double share = normal.dot(vertices[corners[0]] - from) / along;
+    if (share < 0.0 || share > 1.0) continue;
+    hit.point = from + share * step;
+    hit.barycentric = barycentric(hit.point, vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
+    if (hit.barycentric.minCoeff() < -beside) continue;
+    hit.pseudo_normal = normal;
+    hit.distance = share * step.norm();
+    hit.signed_distance = std::copysign(hit.distance, -along);
+    hits.push_back(hit);
+  }
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+  return hits;
 }
 
 }  // namespace toile::body

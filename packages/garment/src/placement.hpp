@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "toile/base/parameters.hpp"
@@ -14,8 +15,9 @@ namespace toile::garment {
 struct Placement {
   base::Spec spec;
   mesh::Placed (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
-  /// Part of the body round which the panel lies; null if the placement does not tell.
-  body::Region (*reach)(const base::List& placement);
+  /// Part of the body round which the panel lies, if it is between two heights of a straight axis; null if the
+  /// placement never tells.
+  std::optional<body::Region> (*reach)(const base::List& placement);
 };
 
 /// All placements; a new one is a source of its own and a line here.

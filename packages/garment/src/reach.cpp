@@ -25,11 +25,12 @@ std::optional<body::Region> reach_of(const base::List& panels) {
     const base::List list = panel.list("Placement");
     const Placement& placement = placement_of(list);
     if (placement.reach == nullptr) return std::nullopt;
-    const body::Region one = placement.reach(list);
+    const std::optional<body::Region> one = placement.reach(list);
+    if (!one) return std::nullopt;
     if (!all) all = one;
-    if (!is_same_axis(*all, one)) return std::nullopt;
-    all->bottom = std::min(all->bottom, one.bottom);
-    all->top = std::max(all->top, one.top);
+    if (!is_same_axis(*all, *one)) return std::nullopt;
+    all->bottom = std::min(all->bottom, one->bottom);
+    all->top = std::max(all->top, one->top);
   }
   if (all) all->margin = margin;
   return all;

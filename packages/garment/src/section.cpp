@@ -16,17 +16,22 @@ constexpr double largest_radius = 2000.0;  // mm; no section of a body is wider
 constexpr double tolerance = 1e-8;         // mm
 constexpr int most_steps = 500;
 
-[[noreturn]] void fail(const std::string& what, double height) {
+/// Of the radii at neighbouring angles. An ellipse of 5 to 1 has 1.13, an axis at a hundredth of a circle's radius from
+/// its rim 1.4; a fold that the axis cannot see behind makes a jump.
+constexpr double largest_ratio = 1.6;
+
+[[noreturn]] void fail(const std::string& what, const Axis& axis, double height) {
   std::ostringstream text;
-  text << what << " at the height " << height << " mm above \"axis bottom\"";
+  text << what << " at the height " << height << " mm above " << axis.start;
   throw base::InputError(text.str());
 }
 
 /// Radius at which the gap along the ray equals `offset`; `start` is known not to lie beyond it. The gap is a distance,
 /// so a step by what is missing never passes the surface; close to it the slope of the gap along the ray makes it
 /// Newton's step.
-double trace_ray(const body::Surface& body, const body::Vec3& origin, const body::Vec3& ray, double start,
-                 double offset, double height) {
+double trace_ray(const body::Surface& body, const Axis& axis, double height, const body::Vec3& ray, double start,
+                 double offset) {
+  const body::Vec3 origin = axis.at(height);
   double radius = start;
   for (int step = 0; step < most_steps && radius < largest_radius; ++step) {
     const body::SurfacePoint point = body.closest(origin + radius * ray);
@@ -40,7 +45,14 @@ double trace_ray(const body::Surface& body, const body::Vec3& origin, const body
     const bool near = std::abs(missing) < 0.1 * radius && slope > 0.3;
     radius += near ? missing / slope : missing;
   }
-  fail("a ray from the axis finds no surface of the body", height);
+  fail("a ray from the axis finds no surface of the body", axis, height);
+}
+
+/// Depth of the axis inside the body, mm: no ray meets the surface before.
+double depth_of(const body::Surface& body, const Axis& axis, double height) {
+  const double gap = body.closest(axis.at(height)).gap;
+  if (gap >= 0.0) fail("the axis is not inside the body", axis, height);
+  return -gap;
 }
 
 }  // namespace
@@ -99,15 +111,29 @@ double Section::angle_at(double s) const {
   return angle;
 }
 
+std::optional<Section::Fold> Section::fold_between(double from, double to) const {
+  const auto n = static_cast<int>(radii_.size());
+  const double turns = std::floor(from / girth());
+  for (double turn = turns; turn * girth() < to; turn += 1.0)
+    for (int k = 0; k < n; ++k) {
+      if (turn * girth() + arc_[k + 1] <= from || turn * girth() + arc_[k] >= to) continue;
+      const double a = radii_[k], b = radii_[(k + 1) % n];
+      if (std::max(a, b) > largest_ratio * std::min(a, b)) return Fold{k * step_, a, b};
+    }
+  return std::nullopt;
+}
+
 Section trace_section(const body::Surface& body, const Axis& axis, double height, double offset) {
-  const body::Vec3 origin = axis.at(height);
-  const body::SurfacePoint centre = body.closest(origin);
-  if (centre.gap >= 0.0) fail("the axis is not inside the body", height);
+  const double depth = depth_of(body, axis, height);
   std::vector<double> radii;
   for (int k = 0; k < rays; ++k) {
-    radii.push_back(trace_ray(body, origin, axis.ray(2.0 * M_PI * k / rays), -centre.gap, offset, height));
+    radii.push_back(trace_ray(body, axis, height, axis.ray(2.0 * M_PI * k / rays), depth, offset));
   }
   return Section(std::move(radii));
+}
+
+double trace_radius(const body::Surface& body, const Axis& axis, double height, double angle, double offset) {
+  return trace_ray(body, axis, height, axis.ray(angle), depth_of(body, axis, height), offset);
 }
 
 }  // namespace toile::garment

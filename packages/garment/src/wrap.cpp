@@ -1,13 +1,15 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "body_end.hpp"
+#include "limb_axis.hpp"
 #include "placement.hpp"
-#include "section.hpp"
 #include "toile/base/error.hpp"
-#include "vector_input.hpp"
 
 namespace toile::garment {
 namespace {
@@ -15,12 +17,13 @@ namespace {
 using mesh::Vec3;
 
 base::Spec add_wrap_parameters(base::Spec spec) {
-  return spec.reals("axis bottom", "mm", "Lower point of the axis: heights count from here towards 'axis top'.")
-      .reals("axis top", "mm", "A second point on the axis, above the first.")
-      .real("from", "mm", "Height along the axis of the panel's bottom.")
-      .real("to", "mm", "Height along the axis of the panel's top.")
-      .reals("zero direction", "", "Direction in space, seen from the axis, from which 'angle' counts.",
-             base::Reals{1.0, 0.0, 0.0})
+  return add_axis_parameters(spec)
+      .real("from", "mm", "Height along the axis of the panel's lowest point.")
+      .real("to", "mm", "Height along the axis of the panel's highest point.")
+      .choice("rows",
+              "as drawn: heights follow the pattern's y, so a curved hem or neckline stays curved; level: each row of "
+              "elements lies at one height, as the curved hem of a skirt's gore or of a part of a ring is to hang.",
+              {"as drawn", "level"}, std::string("as drawn"))
       .real("angle", "deg",
             "Where the panel's centre line lies: its part of the girth, 360 being once round, counter-clockwise seen "
             "from the top of the axis. Two panels of coverage 1/2 at 0 and 180 meet on any section.",
@@ -31,23 +34,14 @@ base::Spec add_wrap_parameters(base::Spec spec) {
             0.0, base::Range::between(0.0, 1.0));
 }
 
-Axis read_axis(const base::List& list) {
-  const Vec3 bottom = read_vector(list, "axis bottom");
-  const Vec3 along = read_vector(list, "axis top") - bottom;
-  if (along.norm() <= 0.0) list.fail("axis top", "must differ from \"axis bottom\"");
-  const Vec3 direction = along.normalized();
-  return {bottom, direction, read_perpendicular(list, "zero direction", direction)};
-}
-
 /// Heights of the panel's bottom and top along the axis.
 std::pair<double, double> read_heights(const base::List& list) {
   if (list.real("to") <= list.real("from")) list.fail("to", "must be above \"from\"");
   return {list.real("from"), list.real("to")};
 }
 
-/// Height of each row of the grid: linear in the mean pattern coordinate y of the row.
-std::vector<double> row_heights(const base::List& list, const mesh::Grid& grid) {
-  const auto [from, to] = read_heights(list);
+/// Mean pattern coordinate y of each row, which must rise.
+std::vector<double> row_levels(const base::List& list, const mesh::Grid& grid) {
   std::vector<double> level;
   for (int j = 0; j <= grid.along; ++j) {
     double sum = 0.0;
@@ -55,88 +49,222 @@ std::vector<double> row_heights(const base::List& list, const mesh::Grid& grid) 
     level.push_back(sum / (grid.across + 1));
     if (j > 0 && level[j] <= level[j - 1]) list.fail("type", "the rows of the pattern must rise along its y axis");
   }
-  std::vector<double> heights;
-  for (const double y : level) heights.push_back(from + (to - from) * (y - level[0]) / (level.back() - level[0]));
-  return heights;
+  return level;
 }
 
-/// Arc length of the pattern from the left end of row j to each of its nodes, mm.
-std::vector<double> row_arc(const mesh::Grid& grid, int j) {
-  std::vector<double> arc{0.0};
-  for (int i = 1; i <= grid.across; ++i) {
-    arc.push_back(arc.back() + (grid.nodes[grid.node(i, j)] - grid.nodes[grid.node(i - 1, j)]).norm());
+/// Height of each node, linear in the pattern coordinate y: in that of the node, or in the mean of its row. A row that
+/// is straight has one height, without round-off.
+std::vector<double> node_heights(const base::List& list, const mesh::Grid& grid) {
+  constexpr double straight = 1e-9;  // of the panel's height
+  const auto [from, to] = read_heights(list);
+  const std::vector<double> level = row_levels(list, grid);
+  const bool as_drawn = list.word("rows") == "as drawn";
+  std::vector<double> y;
+  for (int j = 0; j <= grid.along; ++j) {
+    const auto is_off = [&](int id) {
+      return std::abs(grid.nodes[id].y() - level[j]) > straight * (level.back() - level[0]);
+    };
+    const std::vector<int> row = grid.row(j);
+    const bool curved = as_drawn && std::any_of(row.begin(), row.end(), is_off);
+    for (const int id : row) y.push_back(curved ? grid.nodes[id].y() : level[j]);
   }
-  return arc;
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double bottom = *low, range = *high - *low;
+  for (double& height : y) height = from + (to - from) * (height - bottom) / range;
+  return y;
 }
 
-using SectionAt = std::function<Section(const Axis&, double height)>;
-/// Outward unit normal of the surface at a place on its section, given by its angle and its position.
-using NormalAt = std::function<Vec3(const Axis&, double angle, const Vec3& position)>;
+/// Width of the pattern from the left end of row j to each of its nodes, mm: along x if the heights follow y, else
+/// along the row.
+std::vector<double> row_widths(const base::List& list, const mesh::Grid& grid, int j) {
+  const bool as_drawn = list.word("rows") == "as drawn";
+  std::vector<double> width{0.0};
+  for (int i = 1; i <= grid.across; ++i) {
+    const mesh::Vec2 step = grid.nodes[grid.node(i, j)] - grid.nodes[grid.node(i - 1, j)];
+    width.push_back(width.back() + (as_drawn ? step.x() : step.norm()));
+  }
+  if (width.back() <= 0.0) list.fail("type", "the rows of the pattern must run from left to right along its x axis");
+  return width;
+}
 
-/// Puts every row of the grid on the section at its height.
-mesh::Placed wrap(const base::List& list, const mesh::Grid& grid, const SectionAt& section_at,
-                  const NormalAt& normal_at) {
-  const Axis axis = read_axis(list);
-  const std::vector<double> heights = row_heights(list, grid);
-  const double coverage = list.real("coverage");
+/// The surface that a panel is wrapped onto, seen from the axis.
+struct Target {
+  std::function<Section(const Axis&, double height)> section;
+  /// Radius of the section at one angle, mm.
+  std::function<double(const Axis&, double height, double angle)> radius;
+  /// Outward unit normal at a place given by its angle and its position.
+  std::function<Vec3(double height, double angle, const Vec3& position)> normal;
+};
+
+/// Puts nodes onto the target, with the sections made when they are first asked for.
+class Wrapping {
+ public:
+  Wrapping(const base::List& list, const LimbAxis& axis, const Target& target, double spacing)
+      : list_(list), axis_(axis), target_(target), spacing_(spacing) {}
+
+  /// A node of a straight row: on the section of its height.
+  void add_level(double height, double width, double fraction, mesh::Placed& placed) {
+    const Axis frame = axis_.frame(height);
+    const double angle = angle_on(section(height), height, width, fraction);
+    add(frame, height, angle, section(height).radius(angle), placed);
+  }
+  /// A node of a curved row: between the two sections nearest to its height.
+  void add_between(double height, double width, double fraction, mesh::Placed& placed) {
+    const double below = spacing_ * std::floor(height / spacing_), share = (height - below) / spacing_;
+    const double first = angle_on(section(below), below, width, fraction);
+    const double step = angle_on(section(below + spacing_), below + spacing_, width, fraction) - first;
+    const double angle = first + share * std::remainder(step, 2.0 * M_PI);
+    const Axis frame = axis_.frame(height);
+    add(frame, height, angle, target_.radius(frame, height, angle), placed);
+  }
+
+ private:
+  const Section& section(double height) {
+    const auto made = sections_.find(height);
+    if (made != sections_.end()) return made->second;
+    return sections_.emplace(height, target_.section(axis_.frame(height), height)).first->second;
+  }
+
+  /// `width` of the row, mm; `fraction` of it from the left to the node.
+  double angle_on(const Section& section, double height, double width, double fraction) const {
+    const double coverage = list_.real("coverage");
+    const double covered = coverage > 0.0 ? coverage * section.girth() : width;
+    if (covered > section.girth() * (1.0 + 1e-9)) {
+      std::ostringstream text;
+      text << "the pattern is " << covered << " mm wide at the height " << height << " mm, but the girth there is "
+           << section.girth() << " mm: give a \"coverage\" of at most 1, or wrap the panel further away from the axis";
+      list_.fail("coverage", text.str());
+    }
+    const double centre = list_.real("angle") / 360.0 * section.girth();
+    if (fraction == 0.0) check_shape(section, height, centre - 0.5 * covered, centre + 0.5 * covered);
+    return section.angle_at(centre + covered * (fraction - 0.5));
+  }
+
+  /// Refuses a fold of the section in the part that the row covers.
+  void check_shape(const Section& section, double height, double from, double to) const {
+    const auto fold = section.fold_between(from, to);
+    if (!fold) return;
+    std::ostringstream text;
+    text << "seen from the axis the body's section at the height " << height
+         << " mm folds behind itself where the panel lies (its radius jumps from " << fold->before << " to "
+         << fold->after << " mm at the angle of " << fold->angle * 180.0 / M_PI
+         << " degrees from \"zero direction\"): lay the axis through the middle of the limb and along it";
+    list_.fail(axis_.parameter(), text.str());
+  }
+
+  void add(const Axis& frame, double height, double angle, double radius, mesh::Placed& placed) const {
+    placed.position.push_back(frame.at(height) + radius * frame.ray(angle));
+    placed.normal.push_back(target_.normal(height, angle, placed.position.back()));
+    placed.axis.push_back(frame.direction);
+  }
+
+  const base::List& list_;
+  const LimbAxis& axis_;
+  const Target& target_;
+  const double spacing_;
+  std::map<double, Section> sections_;  ///< [height]
+};
+
+/// Sections of a bent axis must not cross within the body: each column of nodes has to rise along the axis.
+void check_crossing(const base::List& list, const mesh::Grid& grid, const LimbAxis& axis,
+                    const std::vector<double>& heights, const mesh::Placed& placed) {
+  constexpr double least = 0.02;  // of the way along the axis
+  for (int j = 0; j < grid.along && axis.is_bent(); ++j)
+    for (int i = 0; i <= grid.across; ++i) {
+      const int a = grid.node(i, j), b = grid.node(i, j + 1);
+      const double rise = heights[b] - heights[a], middle = 0.5 * (heights[a] + heights[b]);
+      const Axis frame = axis.frame(middle);
+      if (rise <= 0.0 || (placed.position[b] - placed.position[a]).dot(frame.direction) > least * rise) continue;
+      std::ostringstream text;
+      const Vec3& at = placed.position[a];
+      text
+          << "the sections at the heights " << heights[a] << " and " << heights[b] << " mm cross near (" << at[0]
+          << ", " << at[1] << ", " << at[2]
+          << ") mm, at the inner side of a bend: the axis turns there with a radius of "
+          << 1.0 / axis.curvature(middle).norm() << " mm, and the body's surface is " << (at - frame.at(middle)).norm()
+          << " mm from it. Spread the corner over more of the limb (a larger \"smoothing\", or more points on an arc), "
+             "or lay the axis nearer to the inner side";
+      list.fail("axis", text.str());
+    }
+}
+
+/// Puts every row of the grid on the target.
+mesh::Placed wrap(const base::List& list, const mesh::Grid& grid, const LimbAxis& axis, const Target& target) {
+  constexpr double sections_per_row = 2.0;
+  const std::vector<double> heights = node_heights(list, grid);
+  const double spacing = (list.real("to") - list.real("from")) / (sections_per_row * grid.along);
+  Wrapping wrapping(list, axis, target, spacing);
   mesh::Placed placed;
   for (int j = 0; j <= grid.along; ++j) {
-    const Section section = section_at(axis, heights[j]);
-    const std::vector<double> arc = row_arc(grid, j);
-    const double width = coverage > 0.0 ? coverage * section.girth() : arc.back();
-    if (width > section.girth() * (1.0 + 1e-9)) {
-      std::ostringstream text;
-      text << "the pattern is " << width << " mm wide at the height " << heights[j] << " mm, but the girth there is "
-           << section.girth() << " mm: give a \"coverage\" of at most 1, or wrap the panel further away from the axis";
-      list.fail("coverage", text.str());
-    }
-    const double centre = list.real("angle") / 360.0 * section.girth();
-    for (const double s : arc) {
-      const double angle = section.angle_at(centre + width * (s / arc.back() - 0.5));
-      placed.position.push_back(axis.at(heights[j]) + section.radius(angle) * axis.ray(angle));
-      placed.normal.push_back(normal_at(axis, angle, placed.position.back()));
+    const std::vector<double> width = row_widths(list, grid, j);
+    const double* height = &heights[grid.node(0, j)];
+    const bool level = std::all_of(height, height + width.size(), [height](double h) { return h == *height; });
+    for (std::size_t i = 0; i < width.size(); ++i) {
+      const double fraction = width[i] / width.back();
+      if (level)
+        wrapping.add_level(height[i], width.back(), fraction, placed);
+      else
+        wrapping.add_between(height[i], width.back(), fraction, placed);
     }
   }
+  check_crossing(list, grid, axis, heights, placed);
   return placed;
 }
 
 mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
   if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
-  const auto section_at = [&list, body, offset](const Axis& axis, double height) {
+  const LimbAxis axis(list);
+  const auto traced = [&](const Axis& frame, double height, const auto& trace) {
     try {
-      return trace_section(*body, axis, height, offset);
+      return trace();
     } catch (const base::InputError& error) {
-      refuse_section(list, *body, axis, height, "axis bottom", error.what());
+      refuse_section(list, *body, frame, height, axis.parameter(), error.what());
     }
   };
+  Target target;
+  target.section = [&](const Axis& frame, double height) {
+    return traced(frame, height, [&] { return trace_section(*body, frame, height, offset); });
+  };
+  target.radius = [&](const Axis& frame, double height, double angle) {
+    return traced(frame, height, [&] { return trace_radius(*body, frame, height, angle, offset); });
+  };
   // The panel lies where the gap is the offset, so the gap's gradient is its normal.
-  const auto normal_at = [&list, body](const Axis&, double, const Vec3& position) {
+  target.normal = [&](double, double, const Vec3& position) {
     const body::SurfacePoint point = body->closest(position);
     if (!point.found) list.fail("offset", "the body's surface is out of reach from there, so the panel has no normal");
     return point.normal;
   };
-  return wrap(list, grid, section_at, normal_at);
+  return wrap(list, grid, axis, target);
 }
 
 mesh::Placed place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
   const base::Reals& around = list.reals("around");
   if (around.size() != 2) list.fail("around", "needs two radii, one at \"from\" and one at \"to\"");
+  const LimbAxis axis(list);
   const double from = list.real("from");
-  const double to = list.real("to");
-  const double taper = (around[1] - around[0]) / (to - from);
-  const auto section_at = [&around, from, taper](const Axis&, double height) {
+  const double taper = (around[1] - around[0]) / (list.real("to") - from);
+  const auto radius = [&](double height) { return around[0] + taper * (height - from); };
+  Target target;
+  target.section = [&](const Axis&, double height) {
     constexpr int samples = 16;  // any number: a circle is represented exactly
-    return Section(std::vector<double>(samples, around[0] + taper * (height - from)));
+    return Section(std::vector<double>(samples, radius(height)));
   };
-  const auto normal_at = [taper](const Axis& axis, double angle, const Vec3&) {
-    return Vec3((axis.ray(angle) - taper * axis.direction).normalized());
+  target.radius = [&](const Axis&, double height, double) { return radius(height); };
+  // Round a bend the way along the axis is longer at the outer side.
+  target.normal = [&](double height, double angle, const Vec3&) {
+    const Axis frame = axis.frame(height);
+    const Vec3 ray = frame.ray(angle);
+    const double way = 1.0 - radius(height) * axis.curvature(height).dot(ray);
+    return Vec3((way * ray - taper * frame.direction).normalized());
   };
-  return wrap(list, grid, section_at, normal_at);
+  return wrap(list, grid, axis, target);
 }
 
-body::Region reach_of_wrap(const base::List& list) {
-  const Axis axis = read_axis(list);
+std::optional<body::Region> reach_of_wrap(const base::List& list) {
+  const LimbAxis limb(list);
+  if (limb.is_bent()) return std::nullopt;
+  const Axis axis = limb.frame(0.0);
   const auto [from, to] = read_heights(list);
   body::Region region;
   region.direction = axis.direction;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "toile/base/parameters.hpp"
 
@@ -66,23 +67,38 @@ FoundNodes unknown(const Mesh& mesh, const std::string& name) {
       "no edge or panel is named \"" + name + "\"" + (near.empty() ? "." : "; did you mean \"" + near + "\"?") +
       " Valid here: " + all +
       "; the corners of a panel, <panel>.bottom-left, .bottom-right, .top-right and .top-left; one node on an "
-      "edge, for instance <panel>.left@0.5, or in a panel, <panel>@0.5,0.5");
+      "edge, for instance <panel>.left@0.5, or in a panel, <panel>@0.5,0.5 (relative) or <panel>@(12.5,40) (mm of its "
+      "pattern)");
 }
 
-/// Numbers in 0..1 separated by commas; none if the text is something else.
-std::vector<double> read_fractions(const std::string& text) {
+/// Finite numbers separated by commas or, as in a list whose words commas separate, by blanks; none if the text is
+/// something else.
+std::vector<double> read_numbers(const std::string& text) {
   std::vector<double> numbers;
   const char* next = text.data();
   const char* const end = next + text.size();
+  const auto skip_blanks = [&] {
+    while (next != end && *next == ' ') ++next;
+  };
   while (true) {
     double value = 0.0;
     const auto [stop, error] = std::from_chars(next, end, value);
-    if (error != std::errc() || !(value >= 0.0 && value <= 1.0)) return {};
+    if (error != std::errc() || !std::isfinite(value)) return {};
     numbers.push_back(value);
-    if (stop == end) return numbers;
-    if (*stop != ',') return {};
-    next = stop + 1;
+    next = stop;
+    skip_blanks();
+    if (next == end) return numbers;
+    if (*next != ',' && next == stop) return {};
+    if (*next == ',') ++next;
+    skip_blanks();
   }
+}
+
+std::vector<double> read_fractions(const std::string& text) {
+  std::vector<double> numbers = read_numbers(text);
+  const auto is_outside = [](double value) { return !(value >= 0.0 && value <= 1.0); };
+  if (std::any_of(numbers.begin(), numbers.end(), is_outside)) numbers.clear();
+  return numbers;
 }
 
 /// Node of an edge that is nearest to a relative arc length.
@@ -108,8 +124,8 @@ FoundNodes place_in_panel(const Mesh& mesh, const std::string& name, const std::
                           const std::vector<double>& place) {
   if (place.size() != 2) {
     return failed("\"" + name +
-                  "\" must have two numbers from 0 to 1 after the @, separated by a comma: the relative place from "
-                  "left to right and from bottom to top");
+                  "\" must have two numbers from 0 to 1 after the @, separated by a comma or a blank: the relative "
+                  "place from left to right and from bottom to top");
   }
   const auto* bottom = edge_of(mesh, panel + ".bottom");
   const auto* left = edge_of(mesh, panel + ".left");
@@ -126,6 +142,37 @@ FoundNodes find_place(const Mesh& mesh, const std::string& name, const std::stri
   return unknown(mesh, set);
 }
 
+/// Length of the longest side of the panel's elements in the pattern, mm.
+double longest_side(const Mesh& mesh, const Block& panel) {
+  const std::size_t per = static_cast<std::size_t>(panel.nodes_per_element);
+  double longest = 0.0;
+  for (std::size_t k = 0; k < panel.connectivity.size(); ++k) {
+    const std::size_t next = k % per == per - 1 ? k + 1 - per : k + 1;
+    const Vec2 side = mesh.pattern[panel.connectivity[next]] - mesh.pattern[panel.connectivity[k]];
+    longest = std::max(longest, side.norm());
+  }
+  return longest;
+}
+
+/// The node nearest to a point of the pattern, "(x y)" in mm.
+FoundNodes find_point(const Mesh& mesh, const std::string& name, const std::string& set, const std::string& place) {
+  const Block* panel = panel_of(mesh, set);
+  if (panel == nullptr) return unknown(mesh, set);
+  const std::vector<double> numbers = read_numbers(place.substr(1, place.size() - 2));
+  if (numbers.size() != 2)
+    return failed("\"" + name + "\" must have the x and y of a point of the pattern in mm between the brackets");
+  const Vec2 wanted(numbers[0], numbers[1]);
+  int nearest = panel->connectivity.front();
+  for (const int node : nodes_of(*panel))
+    if ((mesh.pattern[node] - wanted).norm() < (mesh.pattern[nearest] - wanted).norm()) nearest = node;
+  const Vec2& found = mesh.pattern[nearest];
+  if ((found - wanted).norm() <= longest_side(mesh, *panel)) return {{nearest}, ""};
+  std::ostringstream text;
+  text << "\"" << name << "\" lies outside of the pattern of panel \"" << set << "\": its nearest node is at ("
+       << found.x() << ", " << found.y() << ") mm";
+  return failed(text.str());
+}
+
 }  // namespace
 
 FoundNodes find_nodes(const Mesh& mesh, const std::string& name) {
@@ -134,7 +181,10 @@ FoundNodes find_nodes(const Mesh& mesh, const std::string& name) {
   if (const auto corner = corner_of(mesh, name)) return {{*corner}, ""};
   const std::size_t at = name.rfind('@');
   if (at == std::string::npos) return unknown(mesh, name);
-  return find_place(mesh, name, name.substr(0, at), read_fractions(name.substr(at + 1)));
+  const std::string place = name.substr(at + 1);
+  if (place.size() > 1 && place.front() == '(' && place.back() == ')')
+    return find_point(mesh, name, name.substr(0, at), place);
+  return find_place(mesh, name, name.substr(0, at), read_fractions(place));
 }
 
 }  // namespace toile::mesh

@@ -176,6 +176,8 @@ void add_panel(Mesh& mesh, const std::string& panel, const std::string& material
   mesh.pattern.insert(mesh.pattern.end(), grid.nodes.begin(), grid.nodes.end());
   mesh.placed.insert(mesh.placed.end(), placed.position.begin(), placed.position.end());
   mesh.normal.insert(mesh.normal.end(), placed.normal.begin(), placed.normal.end());
+  mesh.axis.insert(mesh.axis.end(), placed.axis.begin(), placed.axis.end());
+  mesh.axis.resize(mesh.placed.size(), Vec3::Zero());
 
   Block block{panel, material, grid.nodes_per_element, grid.connectivity, {}, {}};
   const auto [low, high] = std::minmax_element(grid.nodes.begin(), grid.nodes.end(),

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "toile/body/triangle_tree.hpp"
 #include "triangulate.hpp"
@@ -11,6 +13,7 @@ namespace toile::result {
 namespace {
 
 using body::Vec3;
+using Hit = body::TriangleTree::Hit;
 
 /// Unit normals of the vertices, weighted by the area of their triangles.
 std::vector<Vec3> vertex_normals(const body::TriangleMesh& mesh) {
@@ -28,77 +31,144 @@ std::vector<Vec3> vertex_normals(const body::TriangleMesh& mesh) {
   return normals;
 }
 
-/// Place on the garment that may lie over a vertex of the body.
-struct Match {
-  std::size_t vertex;
-  body::TriangleTree::Hit hit;
-  int block;
-  double agreement;  ///< cosine between the normals
-};
-
-/// Value at a place inside a triangle of the garment.
-double interpolate(const std::array<int, 3>& triangle, const Vec3& weights, const std::vector<double>& values) {
-  double result = 0.0;
-  for (int k = 0; k < 3; ++k) {
+/// Value at a place inside a triangle.
+template <class T>
+T interpolate(const std::array<int, 3>& triangle, const Vec3& weights, const std::vector<T>& values) {
+  T result = weights[0] * values[static_cast<std::size_t>(triangle[0])];
+  for (int k = 1; k < 3; ++k) {
     result += weights[k] * values[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
   }
   return result;
 }
 
 /// The closest point lies along the garment's normal; beyond a free edge it lies sideways.
-bool faces(const body::TriangleTree::Hit& hit, const Vec3& vertex) {
+bool faces(const Hit& hit, const Vec3& vertex) {
   constexpr double smallest_cosine = 0.9;
   const double along = std::abs(hit.pseudo_normal.dot(hit.point - vertex));
   return hit.distance < 1e-9 || along >= smallest_cosine * hit.distance;
 }
 
-/// Places that are close enough and face a vertex, whichever side of the panel they show.
-std::vector<Match> candidates(const GarmentTriangles& garment, const std::vector<double>& gap,
-                              const body::TriangleMesh& body, double limit) {
-  const std::vector<Vec3> normals = vertex_normals(body);
-  const body::TriangleTree tree(garment.mesh);
-  const double reach = limit + std::max(0.0, *std::max_element(gap.begin(), gap.end()));
-  Eigen::AlignedBox3d box;
-  for (const Vec3& vertex : garment.mesh.vertices) {
-    box.extend(vertex);
-  }
-  std::vector<Match> matches;
-  for (std::size_t i = 0; i < body.vertices.size(); ++i) {
-    if (box.exteriorDistance(body.vertices[i]) > reach) {
-      continue;
-    }
-    const body::TriangleTree::Hit hit = tree.closest(body.vertices[i]);
-    const auto t = static_cast<std::size_t>(hit.triangle);
-    const double local_gap = std::max(0.0, interpolate(garment.mesh.triangles[t], hit.barycentric, gap));
-    if (hit.distance <= limit + local_gap && faces(hit, body.vertices[i])) {
-      matches.push_back({i, hit, garment.block[t], normals[i].dot(hit.pseudo_normal)});
+/// Finds the garment over points of the body.
+class Finder {
+ public:
+  Finder(const GarmentOnBody& garment, const BodyMapOptions& options)
+      : options_(options),
+        triangles_(triangulate(*garment.mesh, positions(garment))),
+        tree_(triangles_.mesh),
+        gap_(at_vertices(*garment.mesh, garment.gap)),
+        normal_(at_vertices(*garment.mesh, garment.normal)) {
+    tied_.resize(triangles_.mesh.vertices.size());
+    std::iota(tied_.begin(), tied_.end(), 0);
+    std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
+    reach_ = options.limit + std::max(0.0, *std::max_element(gap_.begin(), gap_.end()));
+    for (const Vec3& vertex : triangles_.mesh.vertices) {
+      box_.extend(vertex);
     }
   }
-  return matches;
+
+  /// One place on each layer over a point of the body with this normal.
+  std::vector<Hit> over(const Vec3& point, const Vec3& normal) const {
+    std::vector<Hit> layers;
+    if (box_.exteriorDistance(point) > reach_) {
+      return layers;
+    }
+    for (const Hit& hit : tree_.crossings(point - reach_ * normal, point + reach_ * normal)) {
+      const bool is_new = std::none_of(layers.begin(), layers.end(), [&](const Hit& h) { return touch(h, hit); });
+      if (is_new && lies_over(hit, (hit.point - point).norm(), normal)) {
+        layers.push_back(hit);
+      }
+    }
+    if (layers.empty()) {  // beside the edge of a facet that the body's is not parallel to
+      const Hit hit = tree_.closest(point);
+      if (lies_over(hit, hit.distance, normal) && faces(hit, point)) {
+        layers.push_back(hit);
+      }
+    }
+    return layers;
+  }
+
+  const GarmentTriangles& triangles() const { return triangles_; }
+
+ private:
+  /// Both sides of a closed seam at the very same place, so that no ray passes between them.
+  static std::vector<Vec3> positions(const GarmentOnBody& garment) {
+    std::vector<Vec3> positions = garment.position;
+    for (std::size_t n = 0; n < garment.tied.size(); ++n) {
+      positions[n] = garment.position[static_cast<std::size_t>(garment.tied[n])];
+    }
+    return positions;
+  }
+
+  const std::array<int, 3>& corners(const Hit& hit) const {
+    return triangles_.mesh.triangles[static_cast<std::size_t>(hit.triangle)];
+  }
+
+  /// Places on one layer: their triangles are the same or neighbours.
+  bool touch(const Hit& a, const Hit& b) const {
+    for (const int i : corners(a)) {
+      for (const int j : corners(b)) {
+        if (tied_[static_cast<std::size_t>(i)] == tied_[static_cast<std::size_t>(j)]) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool lies_over(const Hit& hit, double distance, const Vec3& normal) const {
+    const double gap = std::max(0.0, interpolate(corners(hit), hit.barycentric, gap_));
+    const Vec3 below = interpolate(corners(hit), hit.barycentric, normal_);
+    return distance <= options_.limit + gap && below.dot(normal) >= options_.agreement * below.norm();
+  }
+
+  BodyMapOptions options_;
+  GarmentTriangles triangles_;
+  body::TriangleTree tree_;
+  std::vector<double> gap_;   ///< [vertex]
+  std::vector<Vec3> normal_;  ///< [vertex]
+  std::vector<int> tied_;     ///< [vertex]
+  double reach_ = 0.0;
+  Eigen::AlignedBox3d box_;
+};
+
+/// [vertex of the triangles] the nodes whose mean it is.
+std::vector<std::vector<int>> nodes_of_vertices(const mesh::Mesh& garment) {
+  std::vector<std::vector<int>> nodes(static_cast<std::size_t>(garment.nodes()));
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    nodes[n] = {static_cast<int>(n)};
+  }
+  for (const mesh::Block& block : garment.blocks) {
+    for (std::size_t i = 0; block.nodes_per_element == 4 && i < block.connectivity.size(); i += 4) {
+      nodes.emplace_back(&block.connectivity[i], &block.connectivity[i] + 4);
+    }
+  }
+  return nodes;
 }
 
 }  // namespace
 
-std::vector<double> map_to_body(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& position,
-                                const std::vector<double>& values, const std::vector<double>& gap,
-                                const body::TriangleMesh& body, const BodyMapOptions& options) {
-  std::vector<double> result(body.vertices.size(), 0.0);
-  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; })) {
-    return result;  // before the garment touches the body there is nothing to search for
-  }
-  const GarmentTriangles triangles = triangulate(garment, position);
-  const std::vector<double> vertex_values = at_vertices(garment, values);
-  const std::vector<Match> matches = candidates(triangles, at_vertices(garment, gap), body, options.limit);
-  std::vector<double> side(garment.blocks.size(), 0.0);
-  for (const Match& match : matches) {
-    side[static_cast<std::size_t>(match.block)] += match.agreement;
-  }
-  for (const Match& match : matches) {
-    const double sign = side[static_cast<std::size_t>(match.block)] < 0.0 ? -1.0 : 1.0;
-    if (sign * match.agreement >= options.agreement) {
-      const auto& triangle = triangles.mesh.triangles[static_cast<std::size_t>(match.hit.triangle)];
-      result[match.vertex] = interpolate(triangle, match.hit.barycentric, vertex_values);
+BodyMap::BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options)
+    : vertices_(body.vertices.size()) {
+  const Finder finder(garment, options);
+  const std::vector<Vec3> normals = vertex_normals(body);
+  const std::vector<std::vector<int>> nodes = nodes_of_vertices(*garment.mesh);
+  for (std::size_t i = 0; i < vertices_; ++i) {
+    for (const Hit& hit : finder.over(body.vertices[i], normals[i])) {
+      for (int k = 0; k < 3; ++k) {
+        const auto& corners = finder.triangles().mesh.triangles[static_cast<std::size_t>(hit.triangle)];
+        const std::vector<int>& of = nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+        for (const int node : of) {
+          terms_.push_back({i, static_cast<std::size_t>(node), hit.barycentric[k] / static_cast<double>(of.size())});
+        }
+      }
     }
+  }
+}
+
+std::vector<double> BodyMap::map(const std::vector<double>& nodal) const {
+  std::vector<double> result(vertices_, 0.0);
+  for (const Term& term : terms_) {
+    result[term.vertex] += term.weight * nodal[term.node];
   }
   return result;
 }

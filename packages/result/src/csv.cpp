@@ -38,6 +38,9 @@ void write_header(std::ostream& out, const Table& table) {
     out << separator << header(column.name);
     separator = ",";
   }
+  if (!table.texts.empty()) {
+    out << separator << cell(table.text_title);
+  }
   out << '\n';
 }
 
@@ -54,14 +57,17 @@ void write_row(std::ostream& out, const Table& table, std::size_t row) {
     }
     separator = ",";
   }
+  if (!table.texts.empty()) {
+    out << separator << cell(table.texts[row]);
+  }
   out << '\n';
 }
 
 }  // namespace
 
-void write_csv(const std::string& path, const Table& table) {
+void write_csv(const std::string& path, const Table& table, int digits) {
   std::ostringstream out;
-  out << std::setprecision(10);
+  out << std::setprecision(digits);
   write_header(out, table);
   const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {

@@ -22,6 +22,20 @@ void add_pressure(Table& table, const std::string& name, const std::vector<Level
   table.columns.push_back(column(name, "mmHg", rows, [=](const LevelRow& r) { return base::mpa_to_mmhg(r.*value); }));
 }
 
+/// The rows of one section along the axis, with a gap in the line where it is not there.
+std::vector<LevelRow> track(const std::vector<LevelRow>& curve, const std::string& section) {
+  std::vector<LevelRow> rows;
+  for (const LevelRow& row : curve) {
+    if (rows.empty() || rows.back().height != row.height) {
+      rows.emplace_back();
+      rows.back().height = row.height;
+      rows.back().pressure_mean = rows.back().laplace = std::numeric_limits<double>::quiet_NaN();
+    }
+    if (row.section == section) rows.back() = row;
+  }
+  return rows;
+}
+
 Series series(const std::string& title, const std::vector<LevelRow>& rows, double LevelRow::*value) {
   Series result;
   result.title = title;
@@ -32,14 +46,28 @@ Series series(const std::string& title, const std::vector<LevelRow>& rows, doubl
   return result;
 }
 
+void add_curves(Plot& plot, const std::vector<LevelRow>& curve, const std::string& title, double LevelRow::*value) {
+  std::vector<std::string> sections;
+  for (const LevelRow& row : curve)
+    if (std::find(sections.begin(), sections.end(), row.section) == sections.end()) sections.push_back(row.section);
+  for (const std::string& section : sections) {
+    plot.series.push_back(series(title, track(curve, section), value));
+    if (!section.empty()) plot.series.back().title = title + " (" + section + ")";
+  }
+}
+
 }  // namespace
 
 void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows) {
   Table table;
-  if (std::any_of(rows.begin(), rows.end(), [](const LevelRow& row) { return !row.name.empty(); })) {
-    table.row_title = "level";
+  const auto any = [&](std::string LevelRow::*text) {
+    return std::any_of(rows.begin(), rows.end(), [=](const LevelRow& row) { return !(row.*text).empty(); });
+  };
+  const bool named = any(&LevelRow::name);
+  if (named || any(&LevelRow::section)) {
+    table.row_title = named ? "level" : "section";
     std::transform(rows.begin(), rows.end(), std::back_inserter(table.row_names),
-                   [](const LevelRow& row) { return row.name; });
+                   [=](const LevelRow& row) { return named ? row.title() : row.section; });
   }
   table.columns.push_back(column("height", "mm", rows, [](const LevelRow& r) { return r.height; }));
   add_pressure(table, "mean pressure", rows, &LevelRow::pressure_mean);
@@ -52,6 +80,11 @@ void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& ro
   table.columns.push_back(
       column("smallest principal stress", "MPa", rows, [](const LevelRow& r) { return r.smallest_stress; }));
   table.columns.push_back(column("at a support", "", rows, [](const LevelRow& r) { return r.at_support ? 1.0 : 0.0; }));
+  table.columns.push_back(column("closed", "", rows, [](const LevelRow& r) { return r.closed ? 1.0 : 0.0; }));
+  add_pressure(table, "error of the mean pressure", rows, &LevelRow::pressure_error);
+  table.text_title = "panels";
+  std::transform(rows.begin(), rows.end(), std::back_inserter(table.texts),
+                 [](const LevelRow& row) { return row.panels; });
   write_csv(path, table);
 }
 
@@ -66,17 +99,17 @@ Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve,
   for (LevelRow& row : clear) {
     if (row.at_support) row.pressure_mean = std::numeric_limits<double>::quiet_NaN();
   }
-  plot.series.push_back(series("mean contact pressure", clear, &LevelRow::pressure_mean));
-  plot.series.push_back(series("Laplace T/r", curve, &LevelRow::laplace));
+  add_curves(plot, clear, "mean contact pressure", &LevelRow::pressure_mean);
+  add_curves(plot, curve, "Laplace T/r", &LevelRow::laplace);
   std::vector<LevelRow> reached;
   std::copy_if(levels.begin(), levels.end(), std::back_inserter(reached),
-               [](const LevelRow& row) { return row.girth > 0.0; });
+               [](const LevelRow& row) { return row.reached(); });
   if (!reached.empty()) {
     Series markers = series("levels", reached, &LevelRow::pressure_mean);
     markers.line = false;
     markers.markers = true;
     std::transform(reached.begin(), reached.end(), std::back_inserter(markers.labels),
-                   [](const LevelRow& row) { return row.name; });
+                   [](const LevelRow& row) { return row.title(); });
     plot.series.push_back(markers);
   }
   return plot;

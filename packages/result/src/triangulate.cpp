@@ -51,4 +51,8 @@ std::vector<double> at_vertices(const mesh::Mesh& garment, const std::vector<dou
   return with_centres(garment, nodal);
 }
 
+std::vector<mesh::Vec3> at_vertices(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& nodal) {
+  return with_centres(garment, nodal);
+}
+
 }  // namespace toile::result

@@ -19,5 +19,6 @@ GarmentTriangles triangulate(const mesh::Mesh& garment, const std::vector<mesh::
 
 /// Nodal values continued to the centres of the quadrilaterals: [vertex].
 std::vector<double> at_vertices(const mesh::Mesh& garment, const std::vector<double>& nodal);
+std::vector<mesh::Vec3> at_vertices(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& nodal);
 
 }  // namespace toile::result

@@ -1,8 +1,10 @@
 #include "read_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "toile/base/error.hpp"
+#include "toile/garment/bent_axis.hpp"
 #include "toile/mesh/find_nodes.hpp"
 
 namespace toile::scene {
@@ -42,6 +44,48 @@ Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
   return {entry.name(), found.nodes.front()};
 }
 
+const base::Texts plain_quantities = {"largest pressure", "smallest principal stress", "force balance",
+                                      "largest gap",      "dissipation ratio",         "extrapolated elements"};
+const std::string at_level = "pressure at level ", ratio_of = "ratio of levels ";
+
+/// Whether a section's title names a level: "C" and "C (2)" do.
+bool is_level(const std::string& title, const Output& output) {
+  return std::any_of(output.levels.begin(), output.levels.end(),
+                     [&](const Level& level) { return title == level.name || title.find(level.name + " (") == 0; });
+}
+
+/// The titles in "<title> to <title>", of levels if they can be.
+std::vector<std::string> two_titles(const base::List& entry, const std::string& text, const Output& output) {
+  const std::string word = " to ";
+  std::vector<std::string> titles;
+  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    titles = {text.substr(0, at), text.substr(at + word.size())};
+    if (is_level(titles[0], output) && is_level(titles[1], output)) break;
+  }
+  if (titles.empty()) entry.fail("quantity", "names one level; allowed is \"" + ratio_of + "<level> to <level>\"");
+  return titles;
+}
+
+/// Titles of the sections in a quantity of levels; none for another quantity.
+std::vector<std::string> sections_of(const base::List& entry, const Output& output) {
+  const std::string& quantity = entry.word("quantity");
+  std::vector<std::string> titles;
+  if (quantity.find(at_level) == 0) {
+    titles = {quantity.substr(at_level.size())};
+  } else if (quantity.find(ratio_of) == 0) {
+    titles = two_titles(entry, quantity.substr(ratio_of.size()), output);
+  } else if (std::find(plain_quantities.begin(), plain_quantities.end(), quantity) == plain_quantities.end()) {
+    base::Texts valid = plain_quantities;
+    valid.insert(valid.end(), {at_level + "<level>", ratio_of + "<level> to <level>"});
+    entry.fail("quantity", "is not a quantity that can be checked" + base::hint(quantity, valid));
+  }
+  base::Texts valid;
+  for (const Level& level : output.levels) valid.push_back(level.name);
+  for (const std::string& title : titles)
+    if (!is_level(title, output)) entry.fail("quantity", unknown("level", title, valid));
+  return titles;
+}
+
 }  // namespace
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
@@ -49,6 +93,13 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   out.axis_point = vector_of(list, "axis point");
   out.axis_direction = vector_of(list, "axis direction");
   if (out.axis_direction.norm() == 0.0) list.fail("axis direction", "must not be zero");
+  if (list.given("axis")) {
+    for (const char* other : {"axis point", "axis direction"})
+      if (list.given(other)) list.fail(other, "goes with a straight axis; give it or \"axis\", not both");
+    out.bent_axis = garment::read_bent_axis(list);
+  } else if (list.given("smoothing")) {
+    list.fail("smoothing", "rounds the corners of \"axis\", which is not given");
+  }
   out.stations = list.integer("stations");
   if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
   if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
@@ -87,13 +138,14 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   return out;
 }
 
-std::vector<Check> read_checks(const base::List& list, bool with_body) {
+std::vector<Check> read_checks(const base::List& list, const Output& output, bool with_body) {
   std::vector<Check> checks;
   for (const base::List& entry : list.entries()) {
-    const Check check{entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")};
+    Check check{entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")};
     if (check.lower > check.upper) entry.fail("lower", "must not be above \"upper\"");
-    if (!with_body && (check.quantity == "largest pressure" || check.quantity == "largest gap"))
-      entry.fail("quantity", no_body);
+    check.sections = sections_of(entry, output);
+    const bool of_contact = check.quantity == "largest pressure" || check.quantity == "largest gap";
+    if (!with_body && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
     checks.push_back(check);
   }
   return checks;

@@ -8,6 +8,6 @@ namespace toile::scene {
 
 Output read_output(const base::List& list, const solve::Problem& problem);
 /// `with_body`: without one there is no pressure and no gap to check.
-std::vector<Check> read_checks(const base::List& list, bool with_body);
+std::vector<Check> read_checks(const base::List& list, const Output& output, bool with_body);
 
 }  // namespace toile::scene

@@ -98,7 +98,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     build_problem(list, ranks);
   }
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
-  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, surface_ != nullptr);
+  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   list_modules(ranks);
 }
 
@@ -142,10 +142,11 @@ void Scene::build_problem(const base::List& list, int ranks) {
   problem_.surface = surface_.get();
   const auto supports = optional_list(list, "Supports");
   if (supports) {
-    problem_.supports = solve::read_supports(*supports, garment_.mesh);
+    problem_.supports = solve::read_supports(*supports, problem_);
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
+  solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
     problem_.loads = std::move(read.nodal);
@@ -182,7 +183,7 @@ void Scene::check_shells_of_moments(const base::List& loads) const {
 
 void Scene::check_shells_of_supports(const base::List& supports) const {
   constexpr double least = 0.1;  // of the normal, in the plane of symmetry or of the diaphragm
-  const std::vector<std::array<bool, 3>> planes = solve::symmetry_planes(problem_);
+  const std::vector<std::vector<solve::Vec3>> planes = solve::symmetry_planes(problem_);
   const std::vector<solve::Frame> start = solve::start_frames(problem_);
   for (const solve::Support& support : problem_.supports) {
     if (support.director == solve::DirectorSupport::free) continue;
@@ -191,10 +192,10 @@ void Scene::check_shells_of_supports(const base::List& supports) const {
           .fail("director",
                 "is for shells, and \"on\" names nodes of a membrane; give their panel a list \"Shell\", or leave "
                 "\"director\" out");
-    for (const int node : support.nodes) {
+    for (size_t k = 0; k < support.nodes.size(); ++k) {
+      const int node = support.nodes[k];
       solve::Vec3 normal = garment_.mesh.normal[node];
-      for (Eigen::Index i = 0; i < 3; ++i)
-        if (planes[node][static_cast<size_t>(i)]) normal[i] = 0.0;
+      for (const solve::Vec3& plane : planes[node]) normal -= normal.dot(plane) * plane;
       if (normal.norm() < least)
         entry_of(supports, support.name)
             .fail(
@@ -202,7 +203,7 @@ void Scene::check_shells_of_supports(const base::List& supports) const {
                 "\"symmetry\" needs held directions that lie in the panel, and one of these is along its normal; hold "
                 "that direction in a support of its own");
       if (support.director == solve::DirectorSupport::diaphragm &&
-          solve::diaphragm_normal(support, start[node].row(2)).norm() < least)
+          solve::diaphragm_normal(support, k, start[node].row(2)).norm() < least)
         entry_of(supports, support.name)
             .fail("director",
                   "\"diaphragm\" needs a panel that passes through its plane, but this one lies in it; leave "

@@ -39,6 +39,14 @@ Spec output_spec() {
       .reals("axis point", "mm", "Point of the axis along which heights are measured; it has height 0.",
              base::Reals{0.0, 0.0, 0.0})
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
+      .reals("axis", "mm",
+             "Instead of both, the axis of a bent limb: points x, y, z, x, y, z, ... Heights count along it from the "
+             "first point; sections lie across it, and of those only the ones that surround it are told.",
+             base::Reals{})
+      .real("smoothing", "mm",
+            "Of 'axis': length over which each corner is spread to either side; 0: the shortest distance of two "
+            "neighbouring points.",
+            0.0, Range::non_negative())
       .integer("stations", "Points of the pressure curve along the axis, at least 2; 0: no curve.", 0,
                Range::between(0, 10000))
       .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
@@ -54,14 +62,13 @@ Spec output_spec() {
 Spec checks_spec() {
   Spec check("check", "A bound that the result must keep.");
   check
-      .choice("quantity",
-              "What is bounded: largest pressure or smallest principal stress (kPa), force balance (residual over the "
-              "sum of "
-              "magnitudes), largest gap of a node in contact (mm), dissipation ratio, or the number of extrapolated "
-              "elements "
-              "(outside the calibrated range of their fabric).",
-              {"largest pressure", "smallest principal stress", "force balance", "largest gap", "dissipation ratio",
-               "extrapolated elements"})
+      .word(
+          "quantity",
+          "What is bounded: largest pressure or smallest principal stress (kPa), force balance (residual over the sum "
+          "of magnitudes), largest gap of a node in contact (mm), dissipation ratio, extrapolated elements (their "
+          "number, outside the calibrated range of their fabric); pressure at level <level> (kPa, the mean round the "
+          "section) or ratio of levels <level> to <level>. Of several sections at a level one is named as in "
+          "pressure-levels.csv, for instance C (2).")
       .real("lower", "", "Least allowed value.", -unbounded)
       .real("upper", "", "Greatest allowed value.", unbounded);
   return Spec("Checks", "Bounds on the result; one that does not hold ends the run with exit status 4.").entries(check);

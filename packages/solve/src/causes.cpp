@@ -5,6 +5,7 @@
 
 #include "diagnosis.hpp"
 #include "fabric_state.hpp"
+#include "law_floor.hpp"
 #include "place.hpp"
 #include "toile/solve/connected_parts.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
@@ -208,6 +209,10 @@ std::string still_converging(const Failure& failure) {
          std::to_string(failure.newton.max_iterations) + ")";
 }
 
+std::string reaches_the_floor(const Failure& failure) {
+  return failure.stepped ? law_floor_text(failure.problem, failure.last) : std::string();
+}
+
 /// The load stands still while the steps shrink to the smallest.
 std::string reaches_a_limit(const Failure& failure) {
   constexpr double shrunk = 4.0;  // times the smallest step
@@ -256,9 +261,9 @@ std::string nothing_known(const Failure& failure) {
 }  // namespace
 
 const std::vector<Cause>& causes() {
-  static const std::vector<Cause> all = {seam_through_body, starts_too_stretched, slides,
-                                         is_loose,          has_no_tension,       loses_ellipticity,
-                                         still_converging,  reaches_a_limit,      nothing_known};
+  static const std::vector<Cause> all = {reaches_the_floor, seam_through_body, starts_too_stretched, slides,
+                                         is_loose,          has_no_tension,    loses_ellipticity,    still_converging,
+                                         reaches_a_limit,   nothing_known};
   return all;
 }
 

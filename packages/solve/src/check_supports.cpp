@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -11,60 +10,44 @@ namespace toile::solve {
 
 namespace {
 
-/// Two supports that take the same component of the same node along different paths.
-struct Contradiction {
-  size_t first, second;
-  int node, direction;
-};
-
-HeldComponent path(const Problem& problem, size_t support, const Vec3& placed, int direction) {
-  return held_component(problem, support, direction, placed);
-}
-
-std::optional<Contradiction> contradiction(const Problem& problem, const std::set<std::string>& released) {
-  std::vector<int> cluster_of(problem.mesh->nodes());
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (const int node : problem.clusters[c]) cluster_of[node] = static_cast<int>(c);
-  const std::array<int, 3> nobody = {-1, -1, -1};
-  std::vector<std::array<int, 3>> holder(problem.clusters.size(), nobody);
-  for (size_t s = 0; s < problem.supports.size(); ++s) {
-    const Support& support = problem.supports[s];
-    if (released.count(support.name)) continue;
-    for (const int node : support.nodes)
-      for (int d = 0; d < 3; ++d) {
-        if (!support.held[d]) continue;
-        int& other = holder[cluster_of[node]][d];
-        const Vec3& placed = problem.mesh->placed[problem.clusters[cluster_of[node]].front()];
-        if (other >= 0 &&
-            !move_alike(problem, path(problem, static_cast<size_t>(other), placed, d), path(problem, s, placed, d)))
-          return Contradiction{static_cast<size_t>(other), s, node, d};
-        other = static_cast<int>(s);
-      }
-  }
-  return std::nullopt;
-}
-
-/// How far a support moves a component in all, and on what.
-std::string movement_text(const Problem& problem, size_t support, const Contradiction& c) {
-  const HeldComponent h = path(problem, support, problem.mesh->placed[c.node], c.direction);
+std::string direction_text(const Vec3& direction) {
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (direction == Vec3::Unit(i)) return std::string("in ") + "xyz"[i];
   std::ostringstream text;
-  text << "by " << h.position(1.0) - h.base << " mm";
-  if (problem.supports[support].turn) text << " (on a circle)";
+  text << "along (" << direction[0] << ", " << direction[1] << ", " << direction[2] << ")";
   return text.str();
 }
 
 std::string explain(const Problem& problem, const Contradiction& c) {
   const Support &first = problem.supports[c.first], &second = problem.supports[c.second];
   const Vec3& at = problem.mesh->placed[c.node];
-  const char direction = "xyz"[c.direction];
-  const bool other_loads = !(first.path == second.path);
+  const std::string direction = direction_text(c.direction);
   std::ostringstream text;
   text << "contradicts support \"" << first.name << "\": both hold the node at (" << at[0] << ", " << at[1] << ", "
-       << at[2] << ") mm in " << direction << ", but \"" << second.name << "\" moves it "
-       << movement_text(problem, c.second, c) << " and \"" << first.name << "\" " << movement_text(problem, c.first, c)
-       << (other_loads ? ", at other loads" : "") << "; give both the same movement"
-       << (other_loads ? ", loads and shares" : "") << " in " << direction << ", or hold it by one of them only";
+       << at[2] << ") mm ";
+  if (c.nearly_parallel) {
+    text << "along nearly the same direction, (" << c.direction[0] << ", " << c.direction[1] << ", " << c.direction[2]
+         << ") of \"" << second.name << "\"; hold it along one of them only";
+    return text.str();
+  }
+  const auto moves = [](const Support& support, double by) {
+    std::ostringstream part;
+    part << "by " << by << " mm" << (support.turn ? " (on a circle)" : "");
+    return part.str();
+  };
+  const bool other_loads = !(first.path == second.path);
+  text << direction << ", but \"" << second.name << "\" moves it " << moves(second, c.second_moves) << " and \""
+       << first.name << "\" " << moves(first, c.first_moves) << (other_loads ? ", at other loads" : "")
+       << "; give both the same movement" << (other_loads ? ", loads and shares" : "") << " " << direction
+       << ", or hold it by one of them only";
   return text.str();
+}
+
+/// The parameter of the second support that is to be changed.
+const char* parameter_of(const Problem& problem, const Contradiction& c) {
+  const Support& support = problem.supports[c.second];
+  if (c.nearly_parallel) return "hold";
+  return support.turn ? "turn by" : support.axes.empty() ? "move by" : "move along";
 }
 
 bool turn_alike(const Support& a, const Support& b) {
@@ -110,9 +93,9 @@ void check_supports(const base::List* supports, const base::List& stages, const 
   for (const base::List& stage : stages.entries()) {
     check_released(stage, names);
     released.insert(stage.words("release").begin(), stage.words("release").end());
-    if (const auto found = contradiction(problem, released))
-      supports->entries()[found->second].fail(problem.supports[found->second].turn ? "turn by" : "move by",
-                                              explain(problem, *found));
+    Held held;
+    if (const auto found = hold_positions(problem, released, held))
+      supports->entries()[found->second].fail(parameter_of(problem, *found), explain(problem, *found));
     if (supports != nullptr) check_directors(problem, released, *supports);
   }
 }

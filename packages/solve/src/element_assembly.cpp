@@ -54,6 +54,11 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
     part.status.resize(n);
     if (local.shell) part.frames.resize(9 * n * part.nodes);
     part.frozen.resize(n * static_cast<size_t>(part.element->frozen_values()));
+    for (size_t e = 0; e < n; ++e) {
+      const int* node = &local.nodes[e * static_cast<size_t>(part.nodes)];
+      if (std::any_of(node, node + part.nodes, [&](int i) { return layout.is_turned(layout.node_cluster[i]); }))
+        part.turned.push_back(e);
+    }
     find_entries(part, graph);
     has_pressure_ = has_pressure_ || part.pressure != 0.0;
     parts_.push_back(std::move(part));
@@ -149,6 +154,23 @@ void ElementAssembly::add_pressure(Part& part, double load, bool with_tangent, S
   }
 }
 
+// From derivatives by x, y and z to those by the components of the clusters.
+void ElementAssembly::turn_tangents(Part& part) const {
+  const Eigen::Index stride = part.element->dofs_per_node(), ndof = part.element->ndof();
+  for (const size_t e : part.turned) {
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> tangent(
+        &part.tangent[e * static_cast<size_t>(ndof * ndof)], ndof, ndof);
+    for (Eigen::Index i = 0; i < part.nodes; ++i) {
+      const size_t place = e * static_cast<size_t>(part.nodes) + static_cast<size_t>(i);
+      const int c = layout_.node_cluster[part.layout->nodes[place]];
+      if (!layout_.is_turned(c)) continue;
+      const Eigen::Matrix3d& along = layout_.basis[c].along;
+      tangent.middleRows<3>(stride * i) = (along.transpose() * tangent.middleRows<3>(stride * i)).eval();
+      tangent.middleCols<3>(stride * i) = (tangent.middleCols<3>(stride * i) * along).eval();
+    }
+  }
+}
+
 double ElementAssembly::add_pressure_edges(const Part& part, size_t element, double pressure, double* stiffness) const {
   const size_t nodes = static_cast<size_t>(part.nodes), stride = static_cast<size_t>(part.element->dofs_per_node());
   double work = 0.0;
@@ -216,6 +238,7 @@ ElementAssembly::Sums ElementAssembly::evaluate(const Configuration& at, double 
     add_up(part, sums);
     if (part.pressure != 0.0) add_pressure(part, load, values != nullptr, sums);
     if (values == nullptr) continue;
+    turn_tangents(part);
     for (size_t k = 0; k < part.entry.size(); ++k)
       if (part.entry[k] >= 0) values[part.entry[k]] += part.tangent[k];
   }
@@ -246,6 +269,19 @@ double ElementAssembly::find_frozen(const Configuration& at) {
 
 void ElementAssembly::adopt_frozen() {
   for (Part& part : parts_) std::swap(part.frozen, part.next_frozen);
+}
+
+double ElementAssembly::stabilisation_energy(const Configuration& at) {
+  double sum = 0.0;
+  for (Part& part : parts_) {
+    if (!part.element->stabilised() || part.layout->elements.empty()) continue;
+    gather(part, at);
+    std::vector<double> energy(part.layout->elements.size());
+    part.element->stabilisation_energy(batch(part, 0, static_cast<int>(energy.size())), energy.data());
+    for (size_t e = 0; e < energy.size(); ++e)
+      if (part.layout->owned[e]) sum += energy[e];
+  }
+  return sum;
 }
 
 std::vector<double> ElementAssembly::reference_areas() const {

@@ -43,6 +43,8 @@ class ElementAssembly {
   double find_frozen(const Configuration& at);
   void adopt_frozen();
 
+  /// Part of the energy that only stabilises reduced elements, N mm, of the elements owned by this rank.
+  double stabilisation_energy(const Configuration& at);
   /// Reference area (mm^2) that belongs to each local node; complete for nodes of owned clusters.
   std::vector<double> reference_areas() const;
   /// Thickness (mm) averaged over the current area around each local node; complete for nodes of owned clusters.
@@ -63,12 +65,14 @@ class ElementAssembly {
     std::vector<std::uint8_t> pressure_edges;  ///< [element] see find_pressure_edges; empty without a pressure
     std::vector<double> edge_x;                ///< positions [element][node][3] about which their potential is
     std::vector<std::int64_t> entry;           ///< [element][ndof][ndof] place in the matrix, or -1
+    std::vector<size_t> turned;                ///< elements with a node whose components are not x, y and z
   };
 
   void find_entries(Part& part, const Graph& graph) const;
   void gather(Part& part, const Configuration& at) const;
   void run(Part& part, bool with_tangent) const;
   void add_pressure(Part& part, double load, bool with_tangent, Sums& sums) const;
+  void turn_tangents(Part& part) const;
   /// The edges of an element at which the pressure ends: returns their part of the potential over the pressure, and
   /// adds to the element's stiffness unless it is null.
   double add_pressure_edges(const Part& part, size_t element, double pressure, double* stiffness) const;

@@ -144,17 +144,21 @@ double Equilibrium::held_position(int cluster, int component, double s) const {
   return h.position(h.support < 0 ? load : problem_.supports[static_cast<size_t>(h.support)].path.share(load));
 }
 
+// From the unknowns of a vector and what is held.
+void Equilibrium::set_position(int c, const double* z, double s) {
+  Vec3 components;
+  for (int i = 0; i < 3; ++i) components[i] = layout_.held[c][i].held ? held_position(c, i, s) : z[layout_.dof[c][i]];
+  const Vec3 y = layout_.position(c, components);
+  std::copy_n(y.data(), 3, &y_[3 * static_cast<size_t>(c)]);
+}
+
 void Equilibrium::positions(const Vector& z, double s) {
   const RCP<const Vector> owned = z.offsetView(layout_.dof_map, 0)->getVector(0);
   Vector overlap(layout_.overlap_map);
   overlap.doImport(*owned, *layout_.importer, Tpetra::INSERT);
   const auto data = overlap.getData();
   y_.resize(3 * layout_.clusters.size());
-  for (size_t c = 0; c < layout_.clusters.size(); ++c)
-    for (int i = 0; i < 3; ++i) {
-      const HeldComponent& h = layout_.held[c][i];
-      y_[3 * c + i] = h.held ? held_position(static_cast<int>(c), i, s) : data[layout_.dof[c][i]];
-    }
+  for (int c = 0; c < static_cast<int>(layout_.clusters.size()); ++c) set_position(c, data.getRawPtr(), s);
   at_.x.resize(3 * layout_.nodes.size());
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
     const int c = layout_.node_cluster[n];
@@ -218,9 +222,10 @@ void Equilibrium::find_open_seams() {
 }
 
 double Equilibrium::length_of_free_part(int c, const Vec3& direction) const {
+  const Vec3 part = layout_.components_of_force(c, direction);
   double squared = 0.0;
   for (int d = 0; d < 3; ++d)
-    if (layout_.dof[c][d] >= 0) squared += direction[d] * direction[d];
+    if (layout_.dof[c][d] >= 0) squared += part[d] * part[d];
   return std::sqrt(squared);
 }
 
@@ -258,9 +263,11 @@ void Equilibrium::residual(const Vector& z, double s, Vector& f) {
     for (size_t d = 0; d < 3; ++d) force[3 * i + d] += c.residual[static_cast<Eigen::Index>(d)];
     out[first + i] = c.complementarity;
   }
-  for (int c = 0; c < layout_.owned_clusters; ++c)
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const Vec3 part = layout_.components_of_force(c, Eigen::Map<const Vec3>(&force[3 * static_cast<size_t>(c)]));
     for (int d = 0; d < 3; ++d)
-      if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = force[3 * static_cast<size_t>(c) + d];
+      if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = part[d];
+  }
   for (size_t n = 0; n < layout_.rotation.size(); ++n) {
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
     for (int k = 0; k < 2; ++k)
@@ -323,11 +330,14 @@ void Equilibrium::add_contact_tangent(const Vector& z, double s, double* values)
   for (size_t i = 0; i < multipliers(); ++i) {
     const contact::NodeContact c = contact(static_cast<int>(i), s, multiplier[first + i]);
     if (!c.active) continue;
-    normals[i] = c.normal;
+    normals[i] = layout_.components_of_force(static_cast<int>(i), c.normal);
     free_part_[i] = length_of_free_part(static_cast<int>(i), c.normal);
+    Eigen::Matrix3d curvature = c.curvature;
+    if (layout_.is_turned(static_cast<int>(i)))
+      curvature = layout_.basis[i].along.transpose() * curvature * layout_.basis[i].along;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b)
-        if (diagonal_[i][a][b] >= 0) values[diagonal_[i][a][b]] += c.curvature(a, b);
+        if (diagonal_[i][a][b] >= 0) values[diagonal_[i][a][b]] += curvature(a, b);
   }
   projection_.set(normals);
 }
@@ -434,13 +444,13 @@ void Equilibrium::retract_cluster(size_t i, double s, double* z) {
   constexpr int rounds = 3;  // the gap's error falls by its square
   const int c = static_cast<int>(i);
   for (int round = 0; round < rounds; ++round) {
-    for (int d = 0; d < 3; ++d)
-      y_[3 * i + static_cast<size_t>(d)] = layout_.dof[c][d] >= 0 ? z[layout_.dof[c][d]] : held_position(c, d, s);
+    set_position(c, z, s);
     const contact::NodeContact at = contact(c, s, 0.0);
     const double free = length_of_free_part(c, at.normal);
     if (free < ContactProjection::tangential) return;
+    const Vec3 normal = layout_.components_of_force(c, at.normal);
     for (int d = 0; d < 3; ++d)
-      if (layout_.dof[c][d] >= 0) z[layout_.dof[c][d]] -= at.gap * at.normal[d] / (free * free);
+      if (layout_.dof[c][d] >= 0) z[layout_.dof[c][d]] -= at.gap * normal[d] / (free * free);
   }
 }
 

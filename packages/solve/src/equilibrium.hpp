@@ -76,6 +76,8 @@ class Equilibrium {
   ForceBalance balance(const Vector& z, double s);
 
   double strain_energy() const { return strain_energy_; }
+  /// The part of it at (z, s) that only stabilises reduced elements, N mm. Collective.
+  double stabilisation_energy(const Vector& z, double s);
   /// Negative pivots of the last fresh tangent before any shift (contact multipliers are not in it).
   /// -1: not known, the factorisation failed.
   int unshifted_negative_pivots() const { return unshifted_pivots_; }
@@ -116,6 +118,7 @@ class Equilibrium {
 
  private:
   void positions(const Vector& z, double s);
+  void set_position(int cluster, const double* z, double s);
   Vec3 cluster_position(size_t c) const;
   double held_position(int cluster, int component, double s) const;
   std::array<double, 2> held_rotation(size_t node, double s) const;

@@ -12,9 +12,11 @@ namespace toile::solve {
 RCP<Vector> Equilibrium::vector_of(const State& state) const {
   const RCP<Vector> z = rcp(new Vector(layout_.state_map));
   auto data = z->getDataNonConst();
-  for (int c = 0; c < layout_.owned_clusters; ++c)
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const Vec3 components = layout_.components(c, state.position[layout_.clusters[c]]);
     for (int i = 0; i < 3; ++i)
-      if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = state.position[layout_.clusters[c]][i];
+      if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = components[i];
+  }
   for (size_t n = 0; n < layout_.rotation.size(); ++n) {
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
     for (size_t k = 0; k < 2; ++k)
@@ -32,13 +34,15 @@ int Equilibrium::global_contact_nodes() const {
 Imbalance Equilibrium::imbalance(const Vector& f) const {
   double mine[3] = {0.0, 0.0, 0.0};  // squares of the residual and of its scale; number of gaps that are not a number
   const auto data = f.getData();
-  for (int c = 0; c < layout_.owned_clusters; ++c)
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const Eigen::Map<const Vec3> magnitude(&magnitude_[3 * static_cast<size_t>(c)]);
     for (int d = 0; d < 3; ++d) {
       if (layout_.dof[c][d] < 0) continue;
-      const double scale = magnitude_[3 * static_cast<size_t>(c) + d];
+      const double scale = layout_.is_turned(c) ? layout_.direction(c, d).cwiseProduct(magnitude).norm() : magnitude[d];
       mine[0] += data[layout_.dof[c][d]] * data[layout_.dof[c][d]];
       mine[1] += scale * scale;
     }
+  }
   // A moment counts as the pair of forces that it is over the distance of two nodes.
   const double lever_squared = mean_mass_;
   for (size_t n = 0; n < layout_.rotation.size(); ++n) {
@@ -99,6 +103,11 @@ double Equilibrium::path_direction(const Vector& z, double s, const Vector& dz, 
   linearise(z, s);
   if (!solve(rate, tangent)) return ds;
   return ds - dz.dot(tangent) < 0.0 ? -1.0 : 1.0;
+}
+
+double Equilibrium::stabilisation_energy(const Vector& z, double s) {
+  positions(z, s);
+  return sum(elements_.stabilisation_energy(at_));
 }
 
 double Equilibrium::dissipation(const Vector& z, double s) {
@@ -176,9 +185,7 @@ State Equilibrium::state(const Vector& z, double s) {
   const size_t first = layout_.dof_map->getNodeNumElements();
   for (int c = 0; c < layout_.owned_clusters; ++c) {
     const size_t global = static_cast<size_t>(layout_.clusters[c]);
-    for (int i = 0; i < 3; ++i)
-      mine[3 * global + static_cast<size_t>(i)] =
-          layout_.held[c][i].held ? held_position(c, i, s) : data[layout_.dof[c][i]];
+    std::copy_n(&y_[3 * static_cast<size_t>(c)], 3, &mine[3 * global]);
     if (layout_.contact) {  // what the iteration leaves on a node that hovers is round-off, not a force
       const double multiplier = data[first + static_cast<size_t>(c)];
       mine[3 * clusters + global] = contact(c, s, multiplier).active ? multiplier : 0.0;
@@ -263,25 +270,32 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   const size_t supports = problem_.supports.size(), torques = 3 * (support_row + supports);
   const size_t count = torques + supports + 2;
   std::vector<double> mine(count, 0.0), all(count, 0.0);
-  for (int c = 0; c < layout_.owned_clusters; ++c)
-    for (size_t d = 0; d < 3; ++d) {
-      const size_t i = 3 * static_cast<size_t>(c) + d;
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    Vec3 rest;  // what the supports of the cluster carry
+    for (Eigen::Index d = 0; d < 3; ++d) {
+      const size_t i = 3 * static_cast<size_t>(c) + static_cast<size_t>(d), column = static_cast<size_t>(d);
       const double dead = drive_.load(s) * load_[i] + (sums.pressure_force.empty() ? 0.0 : sums.pressure_force[i]);
-      mine[3 * contact_row + d] += contact_on[c][d];
-      mine[3 * load_row + d] += dead;
-      mine[3 * damping_row + d] -= damping[i];
+      mine[3 * contact_row + column] += contact_on[c][d];
+      mine[3 * load_row + column] += dead;
+      mine[3 * damping_row + column] -= damping[i];
       mine.back() += std::abs(contact_on[c][d]) + std::abs(dead) + std::abs(damping[i]);
-      const HeldComponent& held = layout_.held[c][d];
+      rest[d] = sums.force[i] + damping[i] - dead - contact_on[c][d];
+    }
+    const Vec3 reactions = layout_.components_of_force(c, rest);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const HeldComponent& held = layout_.held[c][static_cast<size_t>(k)];
       if (!held.held) continue;
-      const double reaction = sums.force[i] + damping[i] - dead - contact_on[c][d];
-      mine[3 * (held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support)) + d] += reaction;
-      mine.back() += std::abs(reaction);
+      const Vec3 reaction = reactions[k] * layout_.direction(c, k);
+      const size_t row = held.support < 0 ? pin_row : support_row + static_cast<size_t>(held.support);
+      for (Eigen::Index d = 0; d < 3; ++d) mine[3 * row + static_cast<size_t>(d)] += reaction[d];
+      mine.back() += std::abs(reactions[k]);
       if (held.support < 0)
-        mine[count - 2] += std::abs(reaction);
+        mine[count - 2] += std::abs(reactions[k]);
       else if (const auto& turn = problem_.supports[held.support].turn)
         mine[torques + static_cast<size_t>(held.support)] +=
-            reaction * turn->axis.cross(cluster_position(static_cast<size_t>(c)) - turn->point)[d];
+            reaction.dot(turn->axis.cross(cluster_position(static_cast<size_t>(c)) - turn->point));
     }
+  }
   mine.back() += moment_magnitudes(sums, s) / std::sqrt(mean_mass_);
   for (size_t n = 0; n < layout_.turned_by.size(); ++n)
     if (layout_.turned_by[n] >= 0 && layout_.node_cluster[n] < layout_.owned_clusters)

@@ -36,6 +36,16 @@ std::array<double, 3> wrinkle_shares(const Problem& problem, size_t b, const ele
   return shares;
 }
 
+/// [element] means of one block.
+std::vector<Eigen::Matrix3d> mean_tensions(const BlockLaw& law, const element::Batch& batch) {
+  const element::PointTensions points = law.element->tensions(batch);
+  const size_t per = static_cast<size_t>(law.element->points());
+  std::vector<Eigen::Matrix3d> means(static_cast<size_t>(batch.n), Eigen::Matrix3d::Zero());
+  for (size_t q = 0; q < means.size() * per; ++q)
+    means[q / per] += Eigen::Map<const Eigen::Matrix3d>(&points.tension[9 * q]) / static_cast<double>(per);
+  return means;
+}
+
 void add_block(const Problem& problem, size_t b, const State& state, Fields& out) {
   const mesh::Block& block = problem.mesh->blocks[b];
   const BlockLaw& law = problem.laws[b];
@@ -46,6 +56,8 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
 
   const element::PointFields points = law.element->fields(arrays.batch());
   out.element.push_back(element_values(problem, points, block.size(), law.material->thickness()));
+  const std::vector<Eigen::Matrix3d> tensions = mean_tensions(law, arrays.batch());
+  out.tension.insert(out.tension.end(), tensions.begin(), tensions.end());
   const size_t per = static_cast<size_t>(law.element->points());
   for (size_t k = 0; k < points.status.size(); ++k) {
     const double minor = points.cauchy_principal[2 * k + 1];

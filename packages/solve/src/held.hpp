@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,18 +23,38 @@ struct HeldComponent {
   double position(double share) const;  ///< mm, where the support has gone this share of its way
 };
 
+/// Components q of a cluster's position y: q = across y and y = along q. A held component is the one along its
+/// support's direction, whatever the angles between these; the free ones are along orthonormal directions across all of
+/// them. Components of a force are f.dy/dq, so the force that belongs to a component g is g times its row of `across`.
+struct Basis {
+  Eigen::Matrix3d across = Eigen::Matrix3d::Identity();  ///< rows: the directions
+  Eigen::Matrix3d along = Eigen::Matrix3d::Identity();   ///< its inverse
+  bool turned = false;                                   ///< not x, y and z
+};
+
 /// What a stage holds.
 struct Held {
   std::vector<std::array<HeldComponent, 3>> position;  ///< [cluster]
   std::vector<std::array<bool, 2>> rotation;           ///< [node] of shells: not an unknown; empty without shells
   /// [node] support whose turn takes the held director along, or -1; empty where none does.
   std::vector<int> turned_by;
+  std::vector<Basis> basis = {};  ///< [cluster] of its components; empty where all are x, y and z
+
+  Vec3 direction(int cluster, Eigen::Index component) const;  ///< unit
 };
 
-/// The path on which support number `index` takes the component `direction` of a node that is placed at X.
-HeldComponent held_component(const Problem& problem, size_t index, int direction, const Vec3& placed);
-/// Whether two supports take a component along the same path, within 1e-9 mm, at the same loads.
-bool move_alike(const Problem& problem, const HeldComponent& a, const HeldComponent& b);
+/// Two supports that cannot both hold a node.
+struct Contradiction {
+  size_t first, second;  ///< indices into Problem::supports
+  int node;
+  Vec3 direction;                    ///< of the second one
+  double first_moves, second_moves;  ///< mm along it
+  bool nearly_parallel;              ///< their directions are neither the same nor clearly different
+};
+
+/// What the supports hold of the positions that are not released; the components that are not held are free. `held`
+/// keeps what was found before a contradiction.
+std::optional<Contradiction> hold_positions(const Problem& problem, const std::set<std::string>& released, Held& held);
 
 /// What the supports hold that are not released. `state`: whose frames tell the directions of symmetry.
 /// Throws base::InputError for supports that contradict each other.

@@ -108,6 +108,7 @@ void Layout::number(const Problem& problem, const Held& all) {
   for (size_t c = 0; c < clusters.size(); ++c) {
     id = first[clusters[c]];
     held.push_back(all.position[clusters[c]]);
+    if (!all.basis.empty()) basis.push_back(all.basis[clusters[c]]);
     std::array<LocalId, 3> ids = {-1, -1, -1};
     for (size_t i = 0; i < 3; ++i)
       if (!held.back()[i].held) ids[i] = take();
@@ -137,6 +138,22 @@ void Layout::element_unknowns(const BlockPart& part, size_t element, std::vector
     ids.insert(ids.end(), dof[node_cluster[n]].begin(), dof[node_cluster[n]].end());
     if (part.shell) ids.insert(ids.end(), rotation[n].begin(), rotation[n].end());
   }
+}
+
+Vec3 Layout::components(int cluster, const Vec3& position) const {
+  return is_turned(cluster) ? Vec3(basis[cluster].across * position) : position;
+}
+
+Vec3 Layout::position(int cluster, const Vec3& components) const {
+  return is_turned(cluster) ? Vec3(basis[cluster].along * components) : components;
+}
+
+Vec3 Layout::components_of_force(int cluster, const Vec3& force) const {
+  return is_turned(cluster) ? Vec3(basis[cluster].along.transpose() * force) : force;
+}
+
+Vec3 Layout::direction(int cluster, Eigen::Index component) const {
+  return is_turned(cluster) ? Vec3(basis[cluster].across.row(component)) : Vec3(Vec3::Unit(component));
 }
 
 RCP<const Graph> make_graph(const Layout& layout) {

@@ -32,6 +32,15 @@ class Layout {
   /// The same on every rank, also on one without a node.
   bool has_shells() const { return shells_; }
 
+  bool is_turned(int cluster) const { return !basis.empty() && basis[static_cast<size_t>(cluster)].turned; }
+  /// Components of the position of a local cluster, and the position of its components.
+  Vec3 components(int cluster, const Vec3& position) const;
+  Vec3 position(int cluster, const Vec3& components) const;
+  /// Components of a force on a local cluster, or of a normal: f.dy/dq.
+  Vec3 components_of_force(int cluster, const Vec3& force) const;
+  /// Direction of the force of a support that holds a component.
+  Vec3 direction(int cluster, Eigen::Index component) const;
+
   RCP<const Comm> comm;
   std::vector<int> clusters;  ///< local -> global cluster
   int owned_clusters = 0;
@@ -39,10 +48,11 @@ class Layout {
   std::vector<int> node_cluster;  ///< local node -> local cluster
   std::vector<BlockPart> blocks;
   std::vector<std::array<HeldComponent, 3>> held;  ///< [local cluster]
-  std::vector<std::array<LocalId, 3>> dof;         ///< [local cluster] local (overlap) dof or -1
-  std::vector<std::array<LocalId, 2>> rotation;    ///< [local node] local dof or -1; empty without shells
-  std::vector<int> turned_by;                      ///< [local node] as in Held
-  bool contact = false;                            ///< there is a body
+  std::vector<Basis> basis;                 ///< [local cluster] of these components; empty where all are x, y and z
+  std::vector<std::array<LocalId, 3>> dof;  ///< [local cluster] local (overlap) dof or -1
+  std::vector<std::array<LocalId, 2>> rotation;  ///< [local node] local dof or -1; empty without shells
+  std::vector<int> turned_by;                    ///< [local node] as in Held
+  bool contact = false;                          ///< there is a body
   RCP<const Map> dof_map, overlap_map, state_map;
   RCP<const Import> importer;  ///< dof_map -> overlap_map
 

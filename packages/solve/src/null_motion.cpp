@@ -101,8 +101,11 @@ void PartMotions::find(const Held& held, bool seams_closed, const std::vector<bo
   for (const int c : clusters_) {
     const Generator g = generator_at(state_.position[c]);
     scale += g.squaredNorm();
-    for (int i = 0; i < 3; ++i)
-      if (held.position[c][i].held) resistance += g.row(i).transpose() * g.row(i);
+    for (int i = 0; i < 3; ++i) {
+      if (!held.position[c][i].held) continue;
+      const Motion component = g.transpose() * held.direction(c, i);
+      resistance += component * component.transpose();
+    }
     if (guided[c]) {
       const Vec3 x = mean_position(problem_, state_, c);
       const Motion normal = generator_at(x).transpose() * problem_.surface->closest(x).normal;
@@ -133,7 +136,7 @@ bool PartMotions::resisted_later(const Held& held, const std::vector<bool>& guid
     if (guided[c]) return false;  // the body's curvature would have to be known
     const Vec3 second = w.cross(Vec3(generator_at(state_.position[c]) * motion));
     for (int i = 0; i < 3; ++i)
-      if (held.position[c][i].held && std::abs(second[i]) > negligible) return true;
+      if (held.position[c][i].held && std::abs(held.direction(c, i).dot(second)) > negligible) return true;
   }
   return false;
 }
@@ -181,7 +184,7 @@ std::vector<NullMotion> PartMotions::pinned(const Held& held) const {
     for (const int c : clusters_) {
       const Generator g = generator_at(state_.position[c]);
       for (int i = 0; i < 3; ++i) {
-        const Eigen::VectorXd moves = left.transpose() * Motion(g.row(i));
+        const Eigen::VectorXd moves = left.transpose() * Motion(g.transpose() * held.direction(c, i));
         if (held.position[c][i].held || moves.norm() <= largest * (1.0 + 1e-9)) continue;
         largest = moves.norm();
         held_motion = moves;

@@ -17,6 +17,7 @@
 #include "held.hpp"
 #include "notes.hpp"
 #include "null_motion.hpp"
+#include "path_target.hpp"
 #include "path_watch.hpp"
 #include "toile/base/error.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
@@ -53,6 +54,10 @@ struct Simulation::Data {
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
   std::optional<PathWatch> path_watch;  ///< of a path that can be left unseen: step by step in the load, undamped
+  std::optional<TargetSearch> target;   ///< of a path that ends elsewhere than at its load
+  bool arrived = false;                 ///< there
+  int attempts = 0;                     ///< steps of the path, cut-backs included
+  double stabilised = 0.0, stabilised_at = 0.0;  ///< largest share of the energy that only stabilises, and its load
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
   double failed_damping = 0.0;
@@ -87,6 +92,7 @@ struct Simulation::Data {
   std::string where() const { return "stage \"" + stage.name + "\": "; }
   void count_pivots(double s, StepReport& report);
   bool record(const Attempt& attempt);
+  bool arrive();
 };
 
 Simulation::Simulation(const Problem& problem, const SolverOptions& options)
@@ -133,6 +139,7 @@ void Simulation::Data::build() {
   stage_start = state;
   relaxing = false;
   lost_ellipticity = false;
+  stabilised = 0.0;
   earlier_steps = statistics.steps;
   assemble(state, near_body(problem, state));
   equilibrium->update_thickness(*z, 0.0, 0.0);
@@ -151,7 +158,7 @@ void Simulation::Data::assemble(const State& from, const std::vector<bool>& guid
   for (const NullMotion& motion : pinned) {
     HeldComponent pin;
     pin.held = true;
-    pin.base = from.position[motion.cluster][motion.component];
+    pin.base = held.direction(motion.cluster, motion.component).dot(from.position[motion.cluster]);
     held.position[motion.cluster][motion.component] = pin;
     pins.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
   }
@@ -188,7 +195,12 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.undamped_residual = undamped_residual(*equilibrium, *z, s);
   report.gap = imbalance.gap;
   report.strain_energy = equilibrium->strain_energy();
+  report.stabilisation_energy = equilibrium->stabilisation_energy(*z, s);
   largest_energy = std::max(largest_energy, report.strain_energy);
+  if (report.stabilisation_energy > stabilised * report.strain_energy && report.strain_energy > 0.0) {
+    stabilised = report.stabilisation_energy / report.strain_energy;
+    stabilised_at = report.load;
+  }
   const double now = equilibrium->damping() > 0.0 ? equilibrium->dissipation(*z, s) : 0.0;
   dissipated += now;
   report.dissipated = dissipated;
@@ -196,14 +208,13 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   report.balance = equilibrium->balance(*z, s);
   report.extrapolated = equilibrium->extrapolated();
   report.undamped = undamped;
-  const std::string jump = path_watch ? path_watch->accepted(*z, s) : std::string();
-  if (!jump.empty()) warnings.push_back(where() + jump);
+  const bool jumped = path_watch && path_watch->accepted(*z, s);
   equilibrium->start_step(*z, s);
   if (undamped || stage.stability_every_step) {
     count_pivots(s, report);
     watch_ellipticity(report);
   }
-  if (!jump.empty()) report.critical = CriticalPoint::jump;
+  if (jumped) report.critical = CriticalPoint::jump;
   if (equilibrium->damping() > 0.0 && moved)
     adapt_damping(*equilibrium, stage.damping, largest_energy, report.strain_energy - last_energy, now, iterations);
   last_energy = report.strain_energy;
@@ -338,6 +349,16 @@ std::string Simulation::Data::end_failure() {
 void Simulation::Data::judge(const StepReport& last) {
   const std::string unstable = stability_warning(last);
   if (!unstable.empty()) warnings.push_back(where() + unstable);
+  constexpr double most_stabilised = 0.05;
+  if (stabilised > most_stabilised) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "up to " << 100.0 * stabilised << " % of the strain energy (at load " << stabilised_at
+         << ") is that of the hourglass modes of reduced shells, which bends what the mesh cannot follow: it is too "
+            "coarse "
+            "there, and may snap early or be too soft or too stiff. Take more elements";
+    warnings.push_back(where() + text.str());
+  }
   if (stage.damping.active && dissipated > stage.damping.limit * largest_energy)
     warnings.push_back(where() +
                        "the damping dissipated more than the limit; its path was not quasi-static (the final state is "
@@ -347,6 +368,7 @@ void Simulation::Data::judge(const StepReport& last) {
 bool Simulation::Data::record(const Attempt& attempt) {
   iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;
+  attempts += attempt.s > 0.0 || statistics.steps > earlier_steps ? 1 : 0;  // not the equilibrium that it starts from
   if (!attempt.converged) {
     if (!watch.stopped().empty()) return false;
     ++cut_backs;
@@ -358,9 +380,33 @@ bool Simulation::Data::record(const Attempt& attempt) {
   }
   z = attempt.z;
   constexpr double round_off = 1e-12;
-  if (attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
+  if (target && target->passed(*z, attempt.s) && arrive()) return false;
+  if (!target && attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
   accept(attempt.s, attempt.imbalance, false);
   equilibrium->update_thickness(*z, attempt.s, 0.0);
+  return true;
+}
+
+// The state between the last two steps at which the path ends, at a thickness of shells that agrees with it: the stage
+// goes on at its load. False: it was not found.
+bool Simulation::Data::arrive() {
+  constexpr double same_thickness = 1e-7;  // mm
+  constexpr int most_rounds = 30;
+  std::optional<PathPoint> end = target->find();
+  for (int round = 0; round < most_rounds && end; ++round) {
+    if (equilibrium->update_thickness(*end->z, end->s, same_thickness) == 0.0) break;
+    end = target->find_near(*end);
+  }
+  if (!end) return false;
+  z = rcp(new Vector(*end->z, Teuchos::Copy));
+  Vector f(z->getMap());
+  equilibrium->residual(*z, end->s, f);
+  accept(end->s, equilibrium->imbalance(f), false);
+  arrived = true;
+  count_linear_work();
+  drive = {state.seam, state.seam, state.load, state.load};
+  assemble(state, in_contact(state));
+  equilibrium->start_step(*z, 1.0);
   return true;
 }
 
@@ -372,13 +418,19 @@ void Simulation::Data::march() {
     path_watch.emplace(equilibrium, stage, options.newton);
     hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
   }
+  arrived = false;
+  attempts = 0;
+  if (stage.until) target.emplace(problem, equilibrium, *stage.until, options.newton);
   // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds
   // leads anywhere.
   const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
   follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
+  if (path_watch && !path_watch->warning().empty()) warnings.push_back(where() + path_watch->warning());
   path_watch.reset();
+  target.reset();
   constexpr double round_off = 1e-12;
-  if (reached >= 1.0 - round_off) return;  // LOCA's status calls it a failure if the last allowed step gets there
+  if (arrived || (!stage.until && reached >= 1.0 - round_off))
+    return;  // LOCA's status calls it a failure if the last allowed step gets there
   throw base::SolveError(path_failure());
 }
 
@@ -388,15 +440,17 @@ std::string Simulation::Data::path_failure() {
   if (stage.type == StageType::sew)
     message << state.seam * 100.0 << " % of the seams' closing";
   else
-    message << "load " << state.load << " of " << stage.target;
+    message << "load " << state.load << (stage.arc_length ? " on its path, target " : " of ") << stage.target;
+  if (stage.until) message << " (and before \"Until\" " << stage.until->value << " on " << stage.until->on << ")";
   if (!watch.stopped().empty()) {
     message << ", because " << watch.stopped() << ".";
     return message.str();
   }
   if (statistics.steps == earlier_steps) {
     message << ", and no step of it was accepted.";
-  } else if (cut_backs == 0) {
-    message << ", after " << stage.max_steps << " steps, its \"most steps\". Allow it more, or larger ones (\"largest "
+  } else if (attempts >= stage.max_steps || cut_backs == 0) {
+    message << ", after " << attempts
+            << " steps (cut-backs included), its \"most steps\". Allow it more, or larger ones (\"largest "
             << "step\", now " << stage.largest_step << ").";
     return message.str();
   } else {

@@ -54,6 +54,27 @@ Spec damping_spec() {
             0.05, Range::positive());
 }
 
+Spec until_spec() {
+  return Spec("Until",
+              "Of arc length: the stage ends where the quantity first has the value, on falling branches too, instead "
+              "of where the load first reaches \"target\" (which then only scales the steps). Left out: the load.")
+      .choice("quantity",
+              "displacement: of a node from where it is placed; reaction: force of a support on the garment.",
+              {"displacement", "reaction"}, std::string("displacement"))
+      .word("on", "Name of a corner (front.top-left) or of a place (front.top@0.5); of a reaction: of a support.")
+      .choice("direction", "Component of the displacement or of the force.", {"x", "y", "z"})
+      .real("value", "mm, N", "At which the stage ends.");
+}
+
+PathTarget read_until(const List& until) {
+  PathTarget target;
+  target.on = until.word("on");
+  target.direction = until.word("direction")[0] - 'x';
+  target.value = until.real("value");
+  if (until.word("quantity") == "reaction") target.support = 0;
+  return target;
+}
+
 }  // namespace
 
 Spec stages_spec() {
@@ -66,6 +87,7 @@ Spec stages_spec() {
               "first is \"first step\" of the load. Without body and damping only.",
               {"natural", "arc length"}, std::string("natural"));
   for (Spec* spec : {&sew, &load}) add_steps(*spec).list(damping_spec());
+  load.list(until_spec());
   Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads.");
   settle.list(damping_spec());
   Spec stage("stage", "One stage of the run.");
@@ -86,6 +108,9 @@ std::vector<StageOptions> read_stages(const List& list) {
     if (s.type == StageType::load) {
       s.target = entry.real("target");
       s.arc_length = entry.word("continuation") == "arc length";
+      if (entry.has_list("Until")) s.until = read_until(entry.list("Until"));
+      if (s.until && !s.arc_length)
+        entry.fail("continuation", "must be \"arc length\" in a stage with a list \"Until\"");
     }
     if (s.type != StageType::settle) {
       s.first_step = entry.real("first step");

@@ -33,29 +33,37 @@ std::vector<bool> shell_nodes(const Problem& problem) {
   return shell;
 }
 
-std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem) {
-  std::vector<std::array<bool, 3>> planes(problem.mesh->nodes(), {false, false, false});
+std::vector<std::vector<Vec3>> symmetry_planes(const Problem& problem) {
+  constexpr double same = 1e-6;
+  std::vector<std::vector<Vec3>> planes(problem.mesh->nodes());
   for (const Support& support : problem.supports) {
     if (support.director != DirectorSupport::symmetry) continue;
-    for (const int node : support.nodes)
-      for (size_t i = 0; i < 3; ++i) planes[node][i] = planes[node][i] || support.held[i];
+    for (size_t k = 0; k < support.nodes.size(); ++k)
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        if (!support.held[static_cast<size_t>(i)]) continue;
+        std::vector<Vec3>& normals = planes[support.nodes[k]];
+        Vec3 normal = support.axis(k, i);
+        for (const Vec3& other : normals) normal -= normal.dot(other) * other;
+        if (normal.norm() > same) normals.push_back(normal.normalized());
+      }
   }
   return planes;
 }
 
-Vec3 diaphragm_normal(const Support& support, const Vec3& director) {
-  const Vec3 sliding(support.held[0] ? 0.0 : 1.0, support.held[1] ? 0.0 : 1.0, support.held[2] ? 0.0 : 1.0);
+Vec3 diaphragm_normal(const Support& support, size_t node, const Vec3& director) {
+  Vec3 sliding = Vec3::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (!support.held[static_cast<size_t>(i)]) sliding += support.axis(node, i);
   return sliding.cross(director);
 }
 
 namespace {
 
 /// [node] directors at the start: normals of the placed panel, in the planes of symmetry.
-std::vector<Vec3> start_directors(const Problem& problem, const std::vector<std::array<bool, 3>>& planes) {
+std::vector<Vec3> start_directors(const Problem& problem, const std::vector<std::vector<Vec3>>& planes) {
   std::vector<Vec3> directors = problem.mesh->normal;
   for (size_t n = 0; n < planes.size(); ++n) {
-    for (Eigen::Index i = 0; i < 3; ++i)
-      if (planes[n][static_cast<size_t>(i)]) directors[n][i] = 0.0;
+    for (const Vec3& normal : planes[n]) directors[n] -= directors[n].dot(normal) * normal;
     directors[n].normalize();
   }
   return directors;
@@ -71,7 +79,7 @@ Frame frame_of(const Vec3& director, const Vec3& wanted) {
 
 /// [node] what the first tangent is to be: the normal of the plane that a support keeps the director in, if there is
 /// one.
-std::vector<Vec3> wanted_tangents(const Problem& problem, const std::vector<std::array<bool, 3>>& planes,
+std::vector<Vec3> wanted_tangents(const Problem& problem, const std::vector<std::vector<Vec3>>& planes,
                                   const std::vector<Vec3>& directors) {
   std::vector<Vec3> wanted(directors.size());
   for (size_t n = 0; n < directors.size(); ++n) {
@@ -81,12 +89,11 @@ std::vector<Vec3> wanted_tangents(const Problem& problem, const std::vector<std:
   }
   for (const Support& support : problem.supports) {
     if (support.director != DirectorSupport::diaphragm) continue;
-    for (const int node : support.nodes) wanted[node] = diaphragm_normal(support, directors[node]);
+    for (size_t k = 0; k < support.nodes.size(); ++k)
+      wanted[support.nodes[k]] = diaphragm_normal(support, k, directors[support.nodes[k]]);
   }
-  for (size_t n = 0; n < directors.size(); ++n) {
-    const auto* plane = std::find(planes[n].begin(), planes[n].end(), true);
-    if (plane != planes[n].end()) wanted[n] = Vec3::Unit(plane - planes[n].begin());
-  }
+  for (size_t n = 0; n < directors.size(); ++n)
+    if (!planes[n].empty()) wanted[n] = planes[n].front();
   return wanted;
 }
 
@@ -96,7 +103,7 @@ std::vector<Frame> start_frames(const Problem& problem) {
   const std::vector<bool> shell = shell_nodes(problem);
   std::vector<Frame> frames(shell.size(), Frame::Identity());
   if (std::find(shell.begin(), shell.end(), true) == shell.end()) return frames;
-  const std::vector<std::array<bool, 3>> planes = symmetry_planes(problem);
+  const std::vector<std::vector<Vec3>> planes = symmetry_planes(problem);
   const std::vector<Vec3> directors = start_directors(problem, planes);
   const std::vector<Vec3> wanted = wanted_tangents(problem, planes, directors);
   for (size_t n = 0; n < shell.size(); ++n)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "toile/body/surface.hpp"
 
@@ -26,6 +27,9 @@ class TriangleTree {
   TriangleTree& operator=(TriangleTree&&) noexcept;
 
   Hit closest(const Vec3& point) const;
+  /// Where the segment passes through facets, or by round-off beside their edges, from `from` on; distances from there.
+  /// A facet in the plane of the segment is not met.
+  std::vector<Hit> crossings(const Vec3& from, const Vec3& to) const;
 
  private:
   struct Data;

@@ -27,8 +27,9 @@ struct Block {
 
 /// Start in space of the nodes of one panel.
 struct Placed {
-  std::vector<Vec3> position;  ///< mm
-  std::vector<Vec3> normal;    ///< unit, along x_,1 x x_,2 with the pattern's axes 1, 2: the right side of the fabric
+  std::vector<Vec3> position;   ///< mm
+  std::vector<Vec3> normal;     ///< unit, along x_,1 x x_,2 with the pattern's axes 1, 2: the right side of the fabric
+  std::vector<Vec3> axis = {};  ///< unit direction of the axis that the panel is wrapped round; empty: round none
 };
 
 /// The whole garment, the same on every rank. Every panel has nodes of its own: seams tie them (see garment::Seam).
@@ -36,6 +37,7 @@ struct Mesh {
   std::vector<Vec2> pattern;  ///< [node] stress-free coordinates in the panel's own plane, mm
   std::vector<Vec3> placed;   ///< [node] start in space, mm
   std::vector<Vec3> normal;   ///< [node] unit normal there (see Placed), a shell's first director; not shared by panels
+  std::vector<Vec3> axis;     ///< [node] unit direction of the axis that its panel is wrapped round; zero: round none
   std::vector<Block> blocks;
   /// Ordered nodes along each named edge of each panel: "front.left", "front.top", ...
   std::map<std::string, std::vector<int>> edges;

@@ -9,20 +9,40 @@ namespace toile::result {
 
 struct BodyMapOptions {
   double limit = 5.0;      ///< mm; how far from the body the garment may be, in addition to its gap there
-  double agreement = 0.5;  ///< smallest cosine between the normals of body and garment
+  double agreement = 0.5;  ///< smallest cosine between the normals of the body here and below the garment
 };
 
-/// A nodal field of the deformed garment (for instance the contact pressure) on the body's vertices: linear
-/// interpolation at the closest point of the garment, zero where no garment lies over the body.
+/// The deformed garment on its body.
+struct GarmentOnBody {
+  const mesh::Mesh* mesh = nullptr;
+  std::vector<mesh::Vec3> position;  ///< [node] mm
+  std::vector<int> tied = {};        ///< [node] as in GarmentFields
+  std::vector<double> gap;           ///< [node] mm between body and garment, without the fabric's offset
+  std::vector<mesh::Vec3> normal;    ///< [node] of the body at the closest point
+};
+
+/// Carries nodal fields of the garment (for instance the contact pressure) to the body's vertices: linear interpolation
+/// where the normal of the vertex meets the garment, added up over the layers that lie over each other there; zero
+/// where no garment lies over the body.
 ///
-/// No garment lies over a vertex if the closest point is further than limit + gap, if the normals disagree (the other
-/// leg's garment) or if the point lies beside the vertex (beyond a free edge). Which side of a panel faces the body is
-/// found per block, from the majority of vertices.
-///
-/// `position`: [node] mm; `values`: [node]; `gap`: [node] mm between body and garment, without the fabric's offset.
-/// Returns [body vertex], unit of `values`.
-std::vector<double> map_to_body(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& position,
-                                const std::vector<double>& values, const std::vector<double>& gap,
-                                const body::TriangleMesh& body, const BodyMapOptions& options = {});
+/// No garment lies over a vertex if it is further than limit + gap, if it lies on another part of the body (the normals
+/// disagree: the other leg), or if it ends beside the vertex.
+class BodyMap {
+ public:
+  BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options = {});
+
+  /// `nodal`: [node]. Returns [body vertex], unit of `nodal`.
+  std::vector<double> map(const std::vector<double>& nodal) const;
+
+ private:
+  /// Value at a body vertex: the sum of weight times nodal value.
+  struct Term {
+    std::size_t vertex;
+    std::size_t node;
+    double weight;
+  };
+  std::size_t vertices_;
+  std::vector<Term> terms_;
+};
 
 }  // namespace toile::result

@@ -12,15 +12,18 @@ struct Column {
   std::vector<double> values;
 };
 
-/// Columns of equal length, optionally with a text in front of each row.
+/// Columns of equal length, optionally with a text in front of each row and one behind it.
 struct Table {
   std::string row_title;
   std::vector<std::string> row_names;  ///< empty: none
   std::vector<Column> columns;
+  std::string text_title = {};
+  std::vector<std::string> texts = {};  ///< empty: none
 };
 
-/// Comma-separated values with one header line, "name [unit]", and 10 significant digits; a value that is not a number
-/// is an empty cell. Throws InputError if the file cannot be written.
-void write_csv(const std::string& path, const Table& table);
+/// Comma-separated values with one header line, "name [unit]", and 10 significant digits (`digits` of them if told: 17
+/// tell a number exactly); a value that is not a number is an empty cell. Throws InputError if the file cannot be
+/// written.
+void write_csv(const std::string& path, const Table& table, int digits = 10);
 
 }  // namespace toile::result

@@ -12,6 +12,7 @@
 #include "toile/body/surface.hpp"
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
+#include "toile/mesh/bent_axis.hpp"
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 
@@ -51,8 +52,9 @@ struct Point {
 /// What the scene asks to be written beyond the fields.
 struct Output {
   solve::Vec3 axis_point = solve::Vec3::Zero(), axis_direction = solve::Vec3::UnitZ();
-  int stations = 0;        ///< of the pressure curve along the axis; 0: none
-  double body_size = 5.0;  ///< wanted edge length of the body's triangles, mm
+  std::optional<mesh::BentAxis> bent_axis;  ///< instead of both
+  int stations = 0;                         ///< of the pressure curve along the axis; 0: none
+  double body_size = 5.0;                   ///< wanted edge length of the body's triangles, mm
   std::vector<Level> levels;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
@@ -63,6 +65,8 @@ struct Output {
 struct Check {
   std::string name, quantity;
   double lower = 0.0, upper = 0.0;
+  /// Titles of sections whose pressure is meant, or the ratio of two; of the others empty.
+  std::vector<std::string> sections = {};
 };
 
 /// Everything that one scene file describes, built and ready to be solved. The same on every rank.

@@ -32,6 +32,8 @@ struct Fields {
   std::vector<double> area;            ///< [node] current area that belongs to the node alone, mm^2
   /// [block] a value an element; the table is in element_fields.cpp
   std::vector<std::vector<NamedField>> element;
+  /// [element] of all blocks: mean over its points of the force per current length in space, symmetric, N/mm
+  std::vector<Eigen::Matrix3d> tension;
   /// [block] parts of the pattern's area that are taut, wrinkled and slack (material::WrinkleState).
   std::vector<std::array<double, 3>> wrinkle_shares;
   double smallest_principal_stress = 0.0;  ///< Cauchy, MPa

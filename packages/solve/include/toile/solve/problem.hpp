@@ -39,16 +39,23 @@ struct Turn {
   double angle = 0.0;         ///< rad at share 1, right-handed about `axis`
 };
 
+/// Three orthonormal vectors as rows: axes of space, or tangents t_1, t_2 and director of a shell's node
+/// (right-handed).
+using Frame = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
 /// Nodes whose positions are held in some directions; on their way they turn and are moved, both by a share that goes
 /// with the load: x = point + Exp(share angle axis) (X - point) + share displacement, with X the placed position.
 struct Support {
   std::string name;
   std::vector<int> nodes;
-  std::array<bool, 3> held{};
-  Vec3 displacement = Vec3::Zero();  ///< mm at share 1
+  std::array<bool, 3> held{};        ///< along each of the support's axes
+  Vec3 displacement = Vec3::Zero();  ///< mm at share 1, along them
   DirectorSupport director = DirectorSupport::free;
   std::optional<Turn> turn = std::nullopt;  ///< takes held directors with it; needs the directions across its axis held
   MotionPath path = {};
+  std::vector<Frame> axes = {};  ///< [node] the support's axes; empty: x, y and z
+
+  Vec3 axis(size_t node, Eigen::Index i) const { return axes.empty() ? Vec3(Vec3::Unit(i)) : Vec3(axes[node].row(i)); }
 };
 
 /// Dead force or moment, shared by some nodes.
@@ -89,9 +96,6 @@ struct BlockLaw {
   bool is_shell() const { return element->dofs_per_node() > 3; }
 };
 
-/// Tangents t_1, t_2 and director of a shell's node, as rows; right-handed and orthonormal.
-using Frame = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
 /// Everything that is solved for, the same on every rank. The referenced objects must outlive it.
 struct Problem {
   const mesh::Mesh* mesh = nullptr;
@@ -128,15 +132,15 @@ Vec3 node_position(const Problem& problem, const State& state, int cluster, int 
 /// support demands symmetry they lie in its plane, with t_1 normal to it.
 State placed_state(const Problem& problem);
 
-/// [node][direction]: whether a node's director must stay in the plane of symmetry with this normal.
-std::vector<std::array<bool, 3>> symmetry_planes(const Problem& problem);
+/// [node] orthonormal normals of the planes of symmetry in which a node's director must stay.
+std::vector<std::vector<Vec3>> symmetry_planes(const Problem& problem);
 
 /// [node] frames of the shells' nodes at the start, see placed_state; the identity at other nodes.
 std::vector<Frame> start_frames(const Problem& problem);
 
-/// Normal of the plane in which a diaphragm keeps a node's director, from that at the start; its length is the sine of
-/// the angle between the director and the direction that is not held.
-Vec3 diaphragm_normal(const Support& support, const Vec3& director);
+/// Normal of the plane in which a diaphragm keeps the director of its node number `node`, from that at the start; its
+/// length is the sine of the angle between the director and the direction that is not held.
+Vec3 diaphragm_normal(const Support& support, size_t node, const Vec3& director);
 
 /// Nodes of shells, [node].
 std::vector<bool> shell_nodes(const Problem& problem);

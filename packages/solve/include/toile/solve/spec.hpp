@@ -14,6 +14,10 @@ namespace toile::solve {
 base::Spec stages_spec();
 std::vector<StageOptions> read_stages(const base::List& list);
 
+/// Finds the nodes and supports of the lists "Until". `list`: the one that `stages` was read from. Throws
+/// base::InputError.
+void find_path_targets(const base::List& list, const Problem& problem, std::vector<StageOptions>& stages);
+
 /// List "Solver".
 base::Spec solver_spec();
 SolverOptions read_solver(const base::List& list);
@@ -22,9 +26,10 @@ SolverOptions read_solver(const base::List& list);
 base::Spec contact_spec();
 ContactOptions read_contact(const base::List& list);
 
-/// List "Supports": one entry a support. Sets are edges ("front.top") or whole panels ("front").
+/// List "Supports": one entry a support, on sets of nodes that mesh::find_nodes knows. Of the problem the mesh, the
+/// clusters and the body are read. Throws base::InputError.
 base::Spec supports_spec();
-std::vector<Support> read_supports(const base::List& list, const mesh::Mesh& mesh);
+std::vector<Support> read_supports(const base::List& list, const Problem& problem);
 
 /// Refuses a stage that releases what is no support, and supports that move the same node differently while both hold.
 /// `supports`: the list that `problem.supports` was read from, null if there is none. Throws base::InputError.

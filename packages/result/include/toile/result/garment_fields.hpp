@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "toile/mesh/mesh.hpp"
+
+namespace toile::result {
+
+/// The deformed garment with the fields that are averaged around its sections.
+struct GarmentFields {
+  const mesh::Mesh* mesh = nullptr;
+  std::vector<mesh::Vec3> position;  ///< [node] mm
+  /// [node] the first of the nodes that a closed seam holds together here, itself if there is none. Empty: no seams.
+  std::vector<int> tied = {};
+  std::vector<double> pressure = {};          ///< [node] contact pressure, MPa
+  std::vector<double> pressure_error = {};    ///< [node] estimate of its error, MPa. Empty: not known
+  std::vector<Eigen::Matrix3d> tension = {};  ///< [element] force per current length in space, symmetric, N/mm
+  std::vector<double> smallest_stress = {};   ///< [element] smallest principal Cauchy stress, MPa
+  /// [element] true where a support ends: a held node passes the tension on to the body as a line force, so the
+  /// pressure there depends on the mesh. Empty: nowhere.
+  std::vector<bool> at_support = {};
+};
+
+}  // namespace toile::result

@@ -1,0 +1,241 @@
+#include "cutter.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace toile::result {
+namespace {
+
+using mesh::Vec3;
+
+/// Pieces of the cut, told by the edges of triangles that they join.
+class Pieces {
+ public:
+  /// Number of the edge between two (tied) vertices.
+  int edge(int a, int b) {
+    const auto [at, is_new] = edges_.try_emplace(std::minmax(a, b), static_cast<int>(parent_.size()));
+    if (is_new) {
+      parent_.push_back(at->second);
+      count_.push_back(0);
+    }
+    return at->second;
+  }
+  void join(int a, int b) {
+    ++count_[static_cast<std::size_t>(a)];
+    ++count_[static_cast<std::size_t>(b)];
+    parent_[static_cast<std::size_t>(root(a))] = root(b);
+  }
+  int root(int edge) const {
+    while (parent_[static_cast<std::size_t>(edge)] != edge) edge = parent_[static_cast<std::size_t>(edge)];
+    return edge;
+  }
+  /// A piece ends at an edge that one segment alone meets.
+  bool ends_at(int edge) const { return count_[static_cast<std::size_t>(edge)] == 1; }
+  int edges() const { return static_cast<int>(parent_.size()); }
+
+ private:
+  std::map<std::pair<int, int>, int> edges_;
+  std::vector<int> parent_;
+  std::vector<int> count_;  ///< [edge] segments that meet it
+};
+
+/// Two directions across `direction`, the first as near to x as possible (to y if that is along x).
+std::pair<Vec3, Vec3> across(const Vec3& direction) {
+  const Vec3 near = std::abs(direction.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 first = (near - near.dot(direction) * direction).normalized();
+  return {first, direction.cross(first)};
+}
+
+/// Whether the section runs round the axis: a ray from the axis meets a closed one an odd number of times; an open one
+/// is seen under more than half a turn.
+bool surrounds(const Section& section, const AxisPlace& axis) {
+  const auto [right, back] = across(axis.direction);
+  // Not along the middle of a limb, where a regular mesh may have a node: its round-off would count it twice.
+  const Vec3 first = std::cos(0.1234) * right + std::sin(0.1234) * back;
+  const Vec3 second = axis.direction.cross(first);
+  int crossings = 0;
+  double angle = 0.0;
+  for (const Segment& segment : section.segments) {
+    const Vec3 a = segment.point[0] - axis.point, b = segment.point[1] - axis.point;
+    const double ya = second.dot(a), yb = second.dot(b), xa = first.dot(a), xb = first.dot(b);
+    if ((ya > 0.0) != (yb > 0.0) && xa + (xb - xa) * ya / (ya - yb) > 0.0) ++crossings;
+    angle += std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return section.closed ? crossings % 2 == 1 : angle > M_PI;
+}
+
+std::set<int> blocks_of(const Section& section) {
+  std::set<int> blocks;
+  for (const Segment& segment : section.segments) blocks.insert(segment.block);
+  return blocks;
+}
+
+/// The open pieces of the same panels as one section: a wavy hem is cut in many.
+std::vector<Section> with_open_pieces_joined(std::vector<Section> pieces) {
+  std::vector<Section> sections;
+  std::map<std::set<int>, std::size_t> open;
+  for (Section& piece : pieces) {
+    const auto at = piece.closed ? open.end() : open.find(blocks_of(piece));
+    if (at == open.end()) {
+      if (!piece.closed) open[blocks_of(piece)] = sections.size();
+      sections.push_back(std::move(piece));
+    } else {
+      std::vector<Segment>& all = sections[at->second].segments;
+      all.insert(all.end(), piece.segments.begin(), piece.segments.end());
+    }
+  }
+  return sections;
+}
+
+/// In the order of the panels, and along the axis' right and back where they share one.
+void sort_sections(std::vector<Section>& sections, const Vec3& direction) {
+  const auto [right, back] = across(direction);
+  std::vector<std::pair<std::tuple<int, double, double>, std::size_t>> keys;
+  for (const Section& section : sections)
+    keys.push_back(
+        {{*blocks_of(section).begin(), right.dot(section.centre()), back.dot(section.centre())}, keys.size()});
+  std::sort(keys.begin(), keys.end());
+  std::vector<Section> sorted;
+  for (const auto& [key, index] : keys) sorted.push_back(std::move(sections[index]));
+  sections = std::move(sorted);
+}
+
+}  // namespace
+
+double Section::girth() const {
+  return std::accumulate(segments.begin(), segments.end(), 0.0,
+                         [](double sum, const Segment& s) { return sum + s.length(); });
+}
+
+Vec3 Section::centre() const {
+  Vec3 moment = Vec3::Zero();
+  for (const Segment& segment : segments) moment += segment.length() * segment.middle();
+  return moment / girth();
+}
+
+Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
+    : garment_(garment), axis_(axis), surface_(triangulate(*garment.mesh, garment.position)) {
+  axis_.direction.normalize();
+  pressure_ = at_vertices(*garment.mesh, garment.pressure);
+  error_ = garment.pressure_error.empty()
+               ? std::vector<double>(pressure_.size(), std::numeric_limits<double>::quiet_NaN())
+               : at_vertices(*garment.mesh, garment.pressure_error);
+  tied_.resize(surface_.mesh.vertices.size());
+  std::iota(tied_.begin(), tied_.end(), 0);
+  std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
+  find_ends(axis_);
+}
+
+AxisPlace Cutter::place(double height) const {
+  return axis_.bent ? axis_.bent(height) : AxisPlace{axis_.point + height * axis_.direction, axis_.direction};
+}
+
+void Cutter::find_ends(const Axis& axis) {
+  std::vector<AxisPlace> samples = {place(0.0)};
+  std::vector<double> heights = {0.0};
+  if (axis.bent) {
+    constexpr int count = 400;
+    Eigen::AlignedBox3d box(axis.bent(0.0).point);
+    for (const Vec3& vertex : surface_.mesh.vertices) box.extend(vertex);
+    const double beyond = box.diagonal().norm();
+    for (int k = 0; k <= count; ++k) {
+      heights.push_back(-beyond + (axis.length + 2.0 * beyond) * k / count);
+      samples.push_back(axis.bent(heights.back()));
+    }
+  }
+  lowest_ = std::numeric_limits<double>::infinity();
+  highest_ = -lowest_;
+  for (const Vec3& vertex : surface_.mesh.vertices) {
+    const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const AxisPlace& a, const AxisPlace& b) {
+      return (a.point - vertex).squaredNorm() < (b.point - vertex).squaredNorm();
+    });
+    const double height =
+        heights[static_cast<std::size_t>(nearest - samples.begin())] + nearest->direction.dot(vertex - nearest->point);
+    lowest_ = std::min(lowest_, height);
+    highest_ = std::max(highest_, height);
+  }
+}
+
+void Cutter::add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const {
+  const auto a = static_cast<std::size_t>(from);
+  const auto b = static_cast<std::size_t>(to);
+  const double t = above[a] / (above[a] - above[b]);
+  const auto between = [&](const auto& values) { return (1.0 - t) * values[a] + t * values[b]; };
+  segment.point[k] = (1.0 - t) * surface_.mesh.vertices[a] + t * surface_.mesh.vertices[b];
+  segment.pressure[k] = between(pressure_);
+  segment.error[k] = between(error_);
+}
+
+Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const {
+  const auto& corner = surface_.mesh.triangles[triangle];
+  Segment segment{};
+  segment.element = surface_.element[triangle];
+  segment.block = surface_.block[triangle];
+  add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above);
+  add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
+  const Vec3 tangent = segment.step().normalized();  // zero for a point
+  segment.tension = tangent.dot(garment_.tension[static_cast<std::size_t>(segment.element)] * tangent);
+  return segment;
+}
+
+std::vector<double> Cutter::above(double height, const AxisPlace& axis) const {
+  const double margin = 1e-6 * (highest_ - lowest_);
+  const bool at_end = std::min(std::abs(height - lowest_), std::abs(height - highest_)) < margin;
+  const double on_plane = height < 0.5 * (lowest_ + highest_) ? -0.0 : 0.0;
+  std::vector<double> above;
+  for (const Vec3& vertex : surface_.mesh.vertices) {
+    above.push_back(axis.direction.dot(vertex - axis.point));
+    if (at_end && std::abs(above.back()) < margin) above.back() = on_plane;
+  }
+  return above;
+}
+
+std::vector<Section> Cutter::pieces(double height, const AxisPlace& axis) const {
+  const std::vector<double> above = this->above(height, axis);
+
+  std::vector<std::pair<int, Segment>> found;  // with an edge that it meets
+  Pieces pieces;
+  for (std::size_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
+    const auto& corner = surface_.mesh.triangles[t];
+    // A vertex in the plane counts as above, so that a plane through a row of nodes meets each place once.
+    const auto is_above = [&](int vertex) { return !std::signbit(above[static_cast<std::size_t>(vertex)]); };
+    const auto count = std::count_if(corner.begin(), corner.end(), is_above);
+    if (count == 0 || count == 3) continue;
+    const auto alone = static_cast<std::size_t>(
+        std::find_if(corner.begin(), corner.end(), [&](int v) { return is_above(v) == (count == 1); }) -
+        corner.begin());
+    const auto tied = [&](std::size_t k) { return tied_[static_cast<std::size_t>(corner[k % 3])]; };
+    const int first = pieces.edge(tied(alone), tied(alone + 1));
+    pieces.join(first, pieces.edge(tied(alone), tied(alone + 2)));
+    found.emplace_back(first, segment(t, alone, above));
+  }
+
+  std::map<int, Section> sections;
+  for (const auto& [edge, segment] : found) sections[pieces.root(edge)].segments.push_back(segment);
+  for (auto& [root, section] : sections) section.closed = true;
+  for (int edge = 0; edge < pieces.edges(); ++edge)
+    if (pieces.ends_at(edge)) sections[pieces.root(edge)].closed = false;
+
+  std::vector<Section> all;
+  for (auto& [root, section] : sections)
+    if (section.girth() > 0.0) all.push_back(std::move(section));
+  return all;
+}
+
+std::vector<Section> Cutter::cut(double height) const {
+  const AxisPlace axis = place(height);
+  std::vector<Section> all = with_open_pieces_joined(pieces(height, axis));
+  if (axis_.bent)
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Section& s) { return !surrounds(s, axis); }), all.end());
+  sort_sections(all, axis.direction);
+  return all;
+}
+
+}  // namespace toile::result

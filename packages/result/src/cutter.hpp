@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "toile/result/pressure_lines.hpp"
+#include "triangulate.hpp"
+
+namespace toile::result {
+
+/// Part of a section inside one triangle.
+struct Segment {
+  std::array<mesh::Vec3, 2> point;
+  std::array<double, 2> pressure;  ///< MPa
+  std::array<double, 2> error;     ///< MPa
+  double tension;                  ///< along it, N/mm
+  int element;
+  int block;
+
+  mesh::Vec3 step() const { return point[1] - point[0]; }
+  double length() const { return step().norm(); }
+  mesh::Vec3 middle() const { return 0.5 * (point[0] + point[1]); }
+};
+
+/// One connected piece of the cut through the garment.
+struct Section {
+  std::vector<Segment> segments;
+  bool closed = false;
+  double girth() const;
+  mesh::Vec3 centre() const;
+};
+
+/// Cuts the garment by planes across the axis.
+class Cutter {
+ public:
+  Cutter(const GarmentFields& garment, const Axis& axis);
+
+  /// In the order of the panels; open pieces of the same panels are one section.
+  std::vector<Section> cut(double height) const;
+  double lowest() const { return lowest_; }    ///< height, mm
+  double highest() const { return highest_; }  ///< height, mm
+  const GarmentFields& garment() const { return garment_; }
+
+ private:
+  AxisPlace place(double height) const;
+  /// The connected pieces of the cut across the axis.
+  std::vector<Section> pieces(double height, const AxisPlace& axis) const;
+  /// [vertex] distance from the plane, mm. At an end of the garment that lies in it but for round-off: zero, and -0.0
+  /// at the lower one, which counts as below.
+  std::vector<double> above(double height, const AxisPlace& axis) const;
+  void find_ends(const Axis& axis);
+  Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const;
+  void add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
+
+  const GarmentFields& garment_;
+  Axis axis_;
+  GarmentTriangles surface_;
+  std::vector<int> tied_;         ///< [vertex]
+  std::vector<double> pressure_;  ///< [vertex]
+  std::vector<double> error_;     ///< [vertex]
+  double lowest_ = 0.0, highest_ = 0.0;
+};
+
+}  // namespace toile::result

@@ -1,0 +1,205 @@
+// Pressure and tension at levels: sections that are cut across the fabric's directions, several at one level, layers,
+// open ones, and levels beside the garment. A sleeve of isotropic fabric, 250 mm wide, on a cylinder of radius 60 mm:
+// the closed form has a tension of 0.0656 N/mm and a pressure of 1.0931 kPa, on 40 elements around 0.0654 N/mm, 1.0901
+// kPa.
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Rows of a table by their first cell, then by column.
+using Rows = std::map<std::string, std::map<std::string, std::string>>;
+
+class Sections : public ProgramTest {
+ protected:
+  static std::string sleeve(const std::string& name, double wale, const std::string& axis, double offset,
+                            double angle) {
+    std::ostringstream text;
+    text << "<ParameterList name=\"" << name << R"("><Parameter name="material" type="string" value="fabric"/>
+      <Parameter name="shape" type="string" value="rectangle"/><Parameter name="width" type="double" value="250"/>
+      <Parameter name="height" type="double" value="100"/><Parameter name="elements across" type="int" value="40"/>
+      <Parameter name="elements along" type="int" value="10"/><Parameter name="wale angle" type="double" value=")"
+         << wale << R"("/><ParameterList name="Placement"><Parameter name="type" type="string" value="wrap"/>
+      <Parameter name="axis bottom" type="Array(double)" value =
+        "{)" << axis << R"(, 0, 0}"/><Parameter name="axis top" type="Array(double)" value =
+            "{)" << axis << R"(, 0, 1}"/>
+      <Parameter name="from" type="double" value="60"/><Parameter name="to" type="double" value="150"/>
+      <Parameter name="coverage" type="double" value="0.97"/><Parameter name="offset" type="double" value=")"
+                 << offset << "\"/><Parameter name=\"angle\" type=\"double\" value=\"" << angle
+                 << "\"/></ParameterList></ParameterList>";
+    return text.str();
+  }
+
+  /// A scene with the panels of these names. `output`: what stands in Output beside the level "middle".
+  void write_sleeves(const std::string& body, const std::string& panels, const std::vector<std::string>& names,
+                     const std::string& output = "", const std::string& more = "") const {
+    std::string seams, bottoms;
+    for (const std::string& name : names) {
+      seams += "<ParameterList name=\"" + name + " side\"><Parameter name=\"first\" type=\"string\" value=\"" + name +
+               ".left\"/><Parameter name=\"second\" type=\"string\" value=\"" + name + ".right\"/></ParameterList>";
+      bottoms += (bottoms.empty() ? "" : ", ") + name + ".bottom";
+    }
+    write("scene.xml", R"(<ParameterList name="scene"><ParameterList name="Body">)" + body +
+                           R"(</ParameterList><ParameterList name="Materials"><ParameterList name="fabric">
+      <Parameter name="type" type="string" value="neo-hookean"/><Parameter name="C10" type="double" value="0.05"/>
+      <Parameter name="thickness" type="double" value="0.5"/></ParameterList></ParameterList>
+      <ParameterList name="Panels">)" +
+                           panels + "</ParameterList><ParameterList name=\"Seams\">" + seams +
+                           R"(</ParameterList><ParameterList name="Supports"><ParameterList name="lower end">
+      <Parameter name="on" type="Array(string)" value =
+                           "{)" + bottoms +
+                           R"(}"/><Parameter name="hold" type="string" value="z"/></ParameterList></ParameterList>
+      <ParameterList name="Contact"><Parameter name="contact surface" type="string" value="mid-surface"/></ParameterList>
+      <ParameterList name="Stages"><ParameterList name="sew"><Parameter name="type" type="string" value="sew"/>
+      <ParameterList name="Damping"/></ParameterList><ParameterList name="settle">
+      <Parameter name="type" type="string" value="settle"/></ParameterList></ParameterList>
+      <ParameterList name="Output">)" +
+                           output + R"(<ParameterList name="Levels"><ParameterList name="middle">
+      <Parameter name="height" type="double" value="100"/></ParameterList></ParameterList></ParameterList>)" +
+                           more + "</ParameterList>");
+  }
+  void write_one(double wale, const std::string& output = "", const std::string& more = "") const {
+    write_sleeves(cylinder, sleeve("sleeve", wale, "0", 0.3, 0.0), {"sleeve"}, output, more);
+  }
+
+  Rows rows(const std::string& file) const {
+    std::istringstream text(read(file));
+    const auto cells = [](const std::string& line) {
+      std::vector<std::string> found;
+      std::istringstream stream(line);
+      for (std::string cell; std::getline(stream, cell, ',');) found.push_back(cell);
+      return found;
+    };
+    std::string line;
+    std::getline(text, line);
+    const std::vector<std::string> names = cells(line);
+    Rows all;
+    while (std::getline(text, line)) {
+      const std::vector<std::string> row = cells(line);
+      for (size_t c = 0; c < row.size(); ++c) all[row[0]][names[c]] = row[c];
+    }
+    return all;
+  }
+  Rows levels() const { return rows("out/pressure-levels.csv"); }
+
+  static constexpr const char* cylinder =
+      R"(<Parameter name="type" type="string" value="cylinder"/><Parameter name="radius" type="double" value="60"/>)";
+};
+
+double value(const Rows& rows, const std::string& row, const std::string& column) {
+  return std::stod(rows.at(row).at(column));
+}
+
+void expect_one_layer(const Rows& rows, const std::string& row) {
+  EXPECT_NEAR(value(rows, row, "mean pressure [kPa]"), 1.0901, 0.005) << row;
+  EXPECT_NEAR(value(rows, row, "hoop tension T [N/mm]"), 0.0654, 0.0001) << row;
+  EXPECT_NEAR(value(rows, row, "Laplace T/r [kPa]"), 1.091, 0.002) << row;
+  EXPECT_NEAR(value(rows, row, "girth [mm]"), 376.6, 0.1) << row;
+  EXPECT_EQ(rows.at(row).at("closed"), "1") << row;
+}
+
+// An isotropic fabric does not know its wale: hoop tension, Laplace's value and pressure are the same at every angle.
+TEST_F(Sections, TensionIsThatAcrossTheCut) {
+  for (const double wale : {0.0, 45.0, 90.0}) {
+    write_one(wale);
+    const Outcome run = toile("run scene.xml --output out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    expect_one_layer(levels(), "middle");
+  }
+}
+
+// Two layers: a row each, and their sum, which is what the skin feels, at the level and on the body.
+TEST_F(Sections, LayersAddUp) {
+  write_sleeves(cylinder, sleeve("inner", 90.0, "0", 0.3, 0.0) + sleeve("outer", 90.0, "0", 2.0, 180.0),
+                {"inner", "outer"});
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Rows found = levels();
+  expect_one_layer(found, "middle (1)");
+  expect_one_layer(found, "middle (2)");
+  EXPECT_EQ(found.at("middle (1)").at("panels"), "inner");
+  EXPECT_NEAR(value(found, "middle (1+2)", "mean pressure [kPa]"), 2.0 * 1.0901, 0.01);
+  EXPECT_NEAR(value(found, "middle (1+2)", "Laplace T/r [kPa]"), 2.0 * 1.091, 0.004);
+  EXPECT_NEAR(value(found, "middle (1+2)", "girth [mm]"), 376.6, 0.1);
+  EXPECT_THAT(run.out, HasSubstr("middle (1+2)"));
+}
+
+// Two legs: a row each with the girth of one, and a curve that is not empty.
+TEST_F(Sections, LegsHaveARowEach) {
+  std::ostringstream body;  // two tubes, 200 mm apart
+  for (int leg = 0; leg < 2; ++leg)
+    for (int ring = 0; ring <= 60; ++ring)
+      for (int k = 0; k < 72; ++k)
+        body << "v " << (leg == 0 ? -100.0 : 100.0) + 60.0 * std::cos(2.0 * M_PI * k / 72) << " "
+             << 60.0 * std::sin(2.0 * M_PI * k / 72) << " " << -50.0 + 5.0 * ring << "\n";
+  for (int leg = 0; leg < 2; ++leg)
+    for (int ring = 0; ring < 60; ++ring)
+      for (int k = 0; k < 72; ++k) {
+        const int first = leg * 61 * 72 + ring * 72 + 1, a = first + k, b = first + (k + 1) % 72;
+        body << "f " << a << " " << b << " " << b + 72 << "\nf " << a << " " << b + 72 << " " << a + 72 << "\n";
+      }
+  write("legs.obj", body.str());
+  write_sleeves(R"(<Parameter name="type" type="string" value="file"/>
+                   <Parameter name="file" type="string" value="legs.obj"/><ParameterList name="Reach">
+                   <Parameter name="bottom" type="double" value="40"/><Parameter name="top" type="double" value="170"/>
+                   </ParameterList>)",
+                sleeve("right", 90.0, "-100", 0.3, 0.0) + sleeve("left", 90.0, "100", 0.3, 0.0), {"right", "left"},
+                R"(<Parameter name="stations" type="int" value="5"/>)");
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Rows found = levels();
+  ASSERT_EQ(found.size(), 2u);
+  expect_one_layer(found, "middle (1)");
+  expect_one_layer(found, "middle (2)");
+  EXPECT_EQ(found.at("middle (1)").at("panels"), "right");
+  EXPECT_EQ(found.at("middle (2)").at("panels"), "left");
+  const Rows curve = rows("out/pressure-curve.csv");
+  EXPECT_EQ(curve.size(), 2u) << "sections 1 and 2";
+}
+
+// A level that the garment does not reach has no values, not a girth of 0, and is told.
+TEST_F(Sections, BesideTheGarmentAreEmpty) {
+  write_one(90.0);
+  std::string text = read("scene.xml");
+  text.replace(text.find("value=\"100\"/></ParameterList></ParameterList></ParameterList>"), 11, "value=\"400\"");
+  write("scene.xml", text);
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err,
+              HasSubstr("level \"middle\" at the height 400 mm does not meet the garment, which lies between 60"));
+  EXPECT_EQ(levels().at("middle").at("girth [mm]"), "");
+  EXPECT_THAT(run.out, HasSubstr("not reached"));
+}
+
+// Checks know the pressure at a level and the ratio of two; a level that does not exist is refused by its nearest name.
+TEST_F(Sections, AreChecked) {
+  const auto checks = [](const std::string& quantity, double lower, double upper) {
+    std::ostringstream text;
+    text
+        << R"(<ParameterList name="Checks"><ParameterList name="class"><Parameter name="quantity" type="string" value=")"
+        << quantity << "\"/><Parameter name=\"lower\" type=\"double\" value=\"" << lower
+        << "\"/><Parameter name=\"upper\" type=\"double\" value=\"" << upper << "\"/></ParameterList></ParameterList>";
+    return text.str();
+  };
+  write_one(90.0, "", checks("pressure at level middle", 1.08, 1.10));
+  EXPECT_EQ(toile("run scene.xml --output out").status, 0);
+  write_one(90.0, "", checks("pressure at level middle", 1.2, 1.3));
+  const Outcome low = toile("run scene.xml --output out");
+  EXPECT_EQ(low.status, 4);
+  EXPECT_THAT(low.err, HasSubstr("check \"class\" does not hold: pressure at level middle is 1.09"));
+  write_one(90.0, "", checks("ratio of levels middle to middle", 0.999, 1.001));
+  EXPECT_EQ(toile("run scene.xml --output out").status, 0);
+  write_one(90.0, "", checks("pressure at level midle", 0.0, 1.0));
+  const Outcome unknown = toile("check scene.xml");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("no level is named \"midle\"; did you mean \"middle\"?"));
+}
+
+}  // namespace
+}  // namespace toile::test

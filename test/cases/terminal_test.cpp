@@ -1,0 +1,91 @@
+// What a run tells when it ends, and the tables that it leaves.
+#include <cmath>
+#include <sstream>
+
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using Terminal = ProgramTest;
+
+/// Cells of the last row of a table.
+std::vector<std::string> last_row(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, last;
+  while (std::getline(lines, line)) last = line;
+  std::vector<std::string> cells;
+  std::istringstream stream(last);
+  while (std::getline(stream, line, ',')) cells.push_back(line);
+  return cells;
+}
+
+// The levels in mmHg with their error, in kPa and relative to the first; the stretch of each panel; the largest
+// pressure with its place; the files. The sleeve's equilibrium is uniform, and a stress of -2e-11 kPa is no
+// compression.
+TEST_F(Terminal, ShowsWhatTheRunIsFor) {
+  write_scene("sleeve");
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, ContainsRegex("middle +[0-9.]+ \\+- [0-9.]+ +[0-9.]+ +100 %"));
+  EXPECT_THAT(run.out, ContainsRegex("panel +wale +course\n  sleeve +[0-9.]+ to [0-9.]+ +[0-9.]+ to [0-9.]+"));
+  EXPECT_THAT(run.out, HasSubstr("Largest pressure away from supports: "));
+  EXPECT_THAT(run.out, HasSubstr(" kPa) in panel \"sleeve\" at ("));
+  EXPECT_THAT(run.out, HasSubstr("Files in out: results.exo history.h5 restart.h5 reactions.csv"));
+  EXPECT_THAT(run.out, HasSubstr("smallest principal stress: 0 kPa\n"));
+  EXPECT_THAT(run.out, Not(HasSubstr("real fabric wrinkles there")));
+}
+
+// A modulus in kPa makes a thousand times the pressure: no garment presses with more than 200 mmHg, and it is told why
+// this one seems to.
+TEST_F(Terminal, WarnsOfAPressureThatNoGarmentHas) {
+  write_scene("sleeve", {{"<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>",
+                          "<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>"
+                          "<Parameter name=\"C10\" type=\"double\" value=\"9.3\"/>"}});
+  const Outcome run = toile("run scene.xml --output out");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("no garment presses with more than 200 mmHg"),
+                             HasSubstr("Is a modulus given in kPa? Moduli and stresses are in MPa")));
+}
+
+// A stage that fails leaves its tables all the same, with numbers that read back exactly.
+TEST_F(Terminal, TablesOfAFailedRunAreWritten) {
+  write_scene("strip", {{"{0, 20, 0}", "{0, -100, 0}"},
+                        {"value=\"load\"/>",
+                         "value=\"load\"/><Parameter name=\"smallest step\" type=\"double\" value=\"0.01\"/>"}});
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 3);
+  const std::vector<std::string> reactions = last_row(read("out/reactions.csv"));
+  EXPECT_THAT(read("out/reactions.csv"), ::testing::StartsWith("step,load,support "));
+  ASSERT_EQ(reactions.size(), 11u);
+  const double lower = std::stod(reactions[6]), upper = std::stod(reactions[9]);
+  EXPECT_NEAR(lower, -upper, 1e-6 * std::abs(lower)) << "the clamps pull against each other";
+  EXPECT_GT(reactions[6].size(), 15u) << "all digits";
+  EXPECT_TRUE(exists("out/force-curves.csv"));
+}
+
+// Distances are written where no force curve is asked for.
+TEST_F(Terminal, DistancesHaveATableOfTheirOwn) {
+  write_scene("strip", {{R"(    <ParameterList name="Force curves">
+      <ParameterList name="wale">
+        <Parameter name="support" type="string" value="upper clamp"/>
+        <Parameter name="length" type="double" value="100"/>
+)",
+                         R"(    <ParameterList name="Distances">
+      <ParameterList name="length">
+        <Parameter name="first" type="string" value="strip.bottom"/>
+        <Parameter name="second" type="string" value="strip.top"/>
+)"}});
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(read("out/distances.csv"), ::testing::StartsWith("step,load,length [mm]\n"));
+  EXPECT_NEAR(std::stod(last_row(read("out/distances.csv")).at(2)), 120.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace toile::test

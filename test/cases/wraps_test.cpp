@@ -1,0 +1,189 @@
+// Wraps and supports that a new user tried: a bent knee, a coverage of 1, a curved neckline, a hem held along the limb.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+#include "app/exodus.hpp"
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Triangles of a limb of radius 40 mm along a centre line in the y-z plane, closed at both ends; `at(s)` is the centre
+/// line and its direction's angle from the z axis.
+std::string limb_obj(double length, const std::function<std::pair<Point, double>(double)>& at) {
+  constexpr int around = 40;
+  constexpr double radius = 40.0, spacing = 6.0;
+  const int rings = static_cast<int>(length / spacing);
+  std::ostringstream obj;
+  obj.precision(15);
+  for (int k = 0; k <= rings; ++k) {
+    const auto [centre, angle] = at(length * k / rings);
+    for (int i = 0; i < around; ++i) {
+      const double round = 2.0 * M_PI * i / around;
+      obj << "v " << centre[0] + radius * std::cos(round) << " "
+          << centre[1] + radius * std::sin(round) * std::cos(angle) << " "
+          << centre[2] - radius * std::sin(round) * std::sin(angle) << "\n";
+    }
+  }
+  for (const double end : {0.0, length}) {
+    const Point centre = at(end).first;
+    obj << "v " << centre[0] << " " << centre[1] << " " << centre[2] << "\n";
+  }
+  const auto id = [](int k, int i) { return 1 + k * around + i % around; };
+  const int bottom = 1 + (rings + 1) * around;
+  for (int i = 0; i < around; ++i) {
+    for (int k = 0; k < rings; ++k) {
+      obj << "f " << id(k, i) << " " << id(k, i + 1) << " " << id(k + 1, i + 1) << "\n";
+      obj << "f " << id(k, i) << " " << id(k + 1, i + 1) << " " << id(k + 1, i) << "\n";
+    }
+    obj << "f " << bottom << " " << id(0, i + 1) << " " << id(0, i) << "\n";
+    obj << "f " << bottom + 1 << " " << id(rings, i) << " " << id(rings, i + 1) << "\n";
+  }
+  return obj.str();
+}
+
+std::string straight_limb() {
+  return limb_obj(240.0, [](double s) { return std::pair(Point{0.0, 0.0, s}, 0.0); });
+}
+
+/// A shin of 130 mm up to z = 0, a quarter of a ring of radius 80 mm, a thigh of 130 mm.
+std::string knee() {
+  constexpr double leg = 130.0, bend = 80.0;
+  return limb_obj(2.0 * leg + 0.5 * M_PI * bend, [](double s) {
+    if (s < leg) return std::pair(Point{0.0, 0.0, s - leg}, 0.0);
+    const double angle = std::min((s - leg) / bend, 0.5 * M_PI), rest = s - leg - bend * angle;
+    return std::pair(Point{0.0, bend * (1.0 - std::cos(angle)) + rest, bend * std::sin(angle)}, angle);
+  });
+}
+
+/// A scene from its lists.
+std::string scene(const std::string& lists) {
+  return R"(<ParameterList name="scene">
+  <ParameterList name="Materials"><ParameterList name="fabric">
+    <Parameter name="type" type="string" value="neo-hookean"/>
+    <Parameter name="C10" type="double" value="0.05"/>
+    <Parameter name="thickness" type="double" value="0.5"/>
+    <Parameter name="compression" type="string" value="tension field"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Seams"><ParameterList name="back">
+    <Parameter name="first" type="string" value="sleeve.left"/>
+    <Parameter name="second" type="string" value="sleeve.right"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Contact"><Parameter name="contact surface" type="string" value="mid-surface"/></ParameterList>
+  <ParameterList name="Stages">
+    <ParameterList name="sew"><Parameter name="type" type="string" value="sew"/><ParameterList name="Damping"/></ParameterList>
+    <ParameterList name="settle"><Parameter name="type" type="string" value="settle"/></ParameterList>
+  </ParameterList>
+)" + lists +
+         "</ParameterList>\n";
+}
+
+std::string body(const std::string& file) {
+  return R"(<ParameterList name="Body"><Parameter name="type" type="string" value="file"/>
+    <Parameter name="file" type="string" value=")" +
+         file + "\"/></ParameterList>\n";
+}
+
+/// A rectangular sleeve; `placement` are further parameters of its wrap.
+std::string sleeve(double width, double height, int across, int along, const std::string& placement) {
+  std::ostringstream panels;
+  panels << R"(<ParameterList name="Panels"><ParameterList name="sleeve">
+    <Parameter name="material" type="string" value="fabric"/>
+    <Parameter name="shape" type="string" value="rectangle"/>
+    <Parameter name="width" type="double" value=")"
+         << width << R"("/>
+    <Parameter name="height" type="double" value=")"
+         << height << R"("/>
+    <Parameter name="elements across" type="int" value=")"
+         << across << R"("/>
+    <Parameter name="elements along" type="int" value=")"
+         << along << R"("/>
+    <ParameterList name="Placement"><Parameter name="type" type="string" value="wrap"/>
+)" << placement
+         << "</ParameterList></ParameterList></ParameterList>\n";
+  return panels.str();
+}
+
+std::string real(const std::string& name, double value) {
+  std::ostringstream text;
+  text << "<Parameter name=\"" << name << "\" type=\"double\" value=\"" << value << "\"/>\n";
+  return text.str();
+}
+
+std::string array(const std::string& name, const std::string& values) {
+  return "<Parameter name=\"" + name + "\" type=\"Array(double)\" value=\"{" + values + "}\"/>\n";
+}
+
+std::string hems(const std::string& hold) {
+  return R"(<ParameterList name="Supports"><ParameterList name="ends">
+    <Parameter name="on" type="Array(string)" value = "{sleeve.bottom, sleeve.top}" / > < Parameter name = "hold" type =
+                                                          "string" value =
+                                                              ")" + hold + "\"/></ParameterList></ParameterList>\n";
+}
+
+const std::string straight_axis = array("axis bottom", "0, 0, 0") + array("axis top", "0, 0, 1");
+
+using Wraps = ProgramTest;
+
+// A knee of 90 degrees is wrapped as one panel and solved, its hems held along the limb. On the straight shin, where
+// the limb is a cylinder of 40 mm, the pressure is the hoop tension over the radius, with the tension of the stretches
+// that the result has there: neo-Hookean, T = 2 C10 h0 (l^2 - 1/(l m)^2) / (l m).
+TEST_F(Wraps, AKneeIsOnePanel) {
+  write("knee.obj", knee());
+  constexpr int across = 24, along = 24;
+  write("scene.xml",
+        scene(body("knee.obj") + hems("along the limb") +
+              sleeve(220.0, 250.0, across, along,
+                     array("axis",
+                           "0, 0, -100, 0, 0, 0, 0, 6.13, 30.6, 0, 23.4, 56.6, 0, 49.4, 73.9, 0, 80, 80, 0, 190, 80") +
+                         array("zero direction", "0, -1, 0") + real("from", 20.0) + real("to", 270.0) +
+                         real("coverage", 1.0) + real("offset", 0.2))));
+  const Outcome run = toile("run scene.xml --output results");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const ExodusStep result(path("results/results.exo"));
+  const std::vector<double> pressure = result.nodal("pressure");
+  const auto at = [&](int i, int j) {
+    const auto n = static_cast<size_t>(j * (across + 1) + i);
+    return Point{result.position[0][n], result.position[1][n], result.position[2][n]};
+  };
+  const auto distance = [](const Point& a, const Point& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  for (const int i : {6, 12, 18}) {
+    constexpr int j = 4;  // the shin ends between rows 8 and 9
+    const double chord = 2.0 * 40.0 * std::asin(0.5 * distance(at(i - 1, j), at(i + 1, j)) / 40.0);
+    const double hoop = chord / (2.0 * 220.0 / across);
+    const double axial = distance(at(i, j - 1), at(i, j + 1)) / (2.0 * 250.0 / along);
+    const double tension = 2.0 * 0.05 * 0.5 * (hoop * hoop - 1.0 / std::pow(hoop * axial, 2)) / (hoop * axial);
+    EXPECT_NEAR(pressure[static_cast<size_t>(j * (across + 1) + i)], 1000.0 * tension / 40.0,
+                0.03 * 1000.0 * tension / 40.0)
+        << i;
+  }
+}
+
+// With coverage 1 both sides of the seam coincide at the start: sewing has nothing to close, and ends where a sleeve of
+// smaller coverage does, with damping and without.
+TEST_F(Wraps, ACoverageOfOneIsSewn) {
+  write("limb.obj", straight_limb());
+  std::vector<double> pressures;
+  for (const double coverage : {0.95, 1.0}) {
+    write("scene.xml", scene(body("limb.obj") + hems("z") +
+                             sleeve(230.0, 100.0, 24, 8,
+                                    straight_axis + real("from", 60.0) + real("to", 170.0) +
+                                        real("coverage", coverage) + real("offset", 0.3))));
+    const Outcome run = toile("run scene.xml --output results");
+    ASSERT_EQ(run.status, 0) << coverage << ": " << run.err;
+    pressures.push_back(ExodusStep(path("results/results.exo")).nodal("pressure").at(4 * 25 + 12));
+  }
+  EXPECT_GT(pressures[0], 0.1);
+  EXPECT_NEAR(pressures[1], pressures[0], 1e-5 * pressures[0]);
+}
+
+}  // namespace
+}  // namespace toile::test
