@@ -276,10 +276,10 @@ TEST(Import, NestedPiecesAreLeftOut) {
     options.repair_orientation = repair;
     const Import cavity = import_body(test::write_obj("hollow", hollow(true)), options);
     EXPECT_NEAR(volume(cavity.mesh), volume(ball()), 1e-3);
-    EXPECT_EQ(cavity.notes, "1 pieces inside another left out (1 cavities, whose facets look inwards)");
+    EXPECT_EQ(cavity.notes, "pieces inside another left out: 1 (of them cavities, whose facets look inwards: 1)");
     const Import solid = import_body(test::write_obj("filled", hollow(false)), options);
     EXPECT_NEAR(volume(solid.mesh), volume(ball()), 1e-3);
-    EXPECT_EQ(solid.notes, "1 pieces inside another left out (0 cavities, whose facets look inwards)");
+    EXPECT_EQ(solid.notes, "pieces inside another left out: 1 (of them cavities, whose facets look inwards: 0)");
   }
 }
 
@@ -300,7 +300,8 @@ TEST(Import, NestedTubes) {
     }
     const Import import = import_body(test::write_obj("two-tubes", mesh), options);
     EXPECT_EQ(import.mesh.triangles.size(), outer.triangles.size() * (inside ? 1 : 2));
-    EXPECT_EQ(import.notes, inside ? "1 pieces inside another left out (1 cavities, whose facets look inwards)" : "");
+    EXPECT_EQ(import.notes,
+              inside ? "pieces inside another left out: 1 (of them cavities, whose facets look inwards: 1)" : "");
   }
 }
 

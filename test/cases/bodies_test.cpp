@@ -191,8 +191,34 @@ TEST_F(Bodies, HollowBody) {
             "<Parameter name=\"seed\" type=\"Array(double)\" value=\"{50, 0, 80}\"/></ParameterList>"}) {
     write_sleeve({body(parameters)});
     EXPECT_THAT(expect_pressure(pressure_of(250.0), mesh_error),
-                HasSubstr("1 pieces inside another left out (1 cavities, whose facets look inwards)"));
+                HasSubstr("pieces inside another left out: 1 (of them cavities, whose facets look inwards: 1)"));
   }
+}
+
+// A tube whose wall is open at both ends, so that the axis runs through air, is refused with that reason.
+TEST_F(Bodies, OpenHollow) {
+  Facets wall = tube(60.0, 20, 20.0);
+  const Facets inner = tube(50.0, 20, 20.0);
+  wall.points.resize(21 * around);  // without the caps
+  wall.facets.clear();
+  const int first = static_cast<int>(wall.points.size());
+  wall.points.insert(wall.points.end(), inner.points.begin(), inner.points.begin() + first);
+  for (int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around, top = 20 * around;
+    for (int j = 0; j < 20; ++j) {
+      const int a = j * around + i, b = j * around + next;
+      wall.facets.push_back({a, b, b + around, a + around});
+      wall.facets.push_back({b + first, a + first, a + around + first, b + around + first});
+    }
+    wall.facets.push_back({next, i, i + first, next + first});
+    wall.facets.push_back({top + i, top + next, top + next + first, top + i + first});
+  }
+  write("body.obj", obj(wall));
+  write_sleeve();
+  expect_refused(
+      AllOf(HasSubstr("the axis is not inside the body at the height 60 mm"),
+            HasSubstr("mm away. Lay the axis through the limb; if the body is a hollow shell with an opening, "
+                      "fill it")));
 }
 
 // A cylinder with vertices on its rims alone, or on one more ring, is a cylinder all along.

@@ -81,6 +81,18 @@ TEST_F(Starts, RefuseNamesThatTheResultsCannotHold) {
   write_scene("strip", {{"strip", long_name}});
   expect_refused(AllOf(HasSubstr("scene > Panels > " + long_name), HasSubstr(".bottom\" of 65 characters"),
                        HasSubstr("at most 64"), HasSubstr("shorten the name by 1")));
+  const std::string turn = "<Parameter name=\"hold\" type=\"string\" value=\"xyz\"/>";
+  const Edits turning = {{turn, turn + "<Parameter name=\"turn by\" type=\"double\" value=\"2\"/>"},
+                         {"value=\"upper clamp\"", "value=\"plane\""}};
+  Edits equal = turning, too_long = turning;
+  equal.insert(equal.end(), {{"\"lower clamp\"", "\"clamp-a\""}, {"\"upper clamp\"", "\"clamp a\""}});
+  write_scene("strip", equal);
+  expect_refused(AllOf(HasSubstr("scene > Supports > clamp a: this support and \"clamp-a\" would both have the field "
+                                 "\"torque_clamp_a\""),
+                       HasSubstr("give one of them another name")));
+  too_long.push_back({"\"lower clamp\"", "\"" + long_name + "\""});
+  write_scene("strip", too_long);
+  expect_refused(AllOf(HasSubstr("scene > Supports > " + long_name), HasSubstr("\" of 65 characters")));
   write_scene("sleeve", {{"\"sleeve\"", "\"body\""}, {"sleeve.", "body."}});
   expect_refused(HasSubstr("scene > Panels > body: a panel cannot be named \"body\""));
 }

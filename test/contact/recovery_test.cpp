@@ -93,7 +93,8 @@ TEST(Recovery, IsExactForALinearTension) {
 TEST(Recovery, TakesThePressureOfLoads) {
   Patch patch(uniform);
   for (FabricElement& element : patch.elements) element.load = 0.001;  // along the points' normals, outwards
-  for (const contact::SitePressure& site : contact::recover(patch).site)
+  const contact::Recovery recovery = contact::recover(patch);
+  for (const contact::SitePressure& site : recovery.site)
     EXPECT_NEAR(site.pressure, uniform(0.0) / radius - 0.001, 1e-5 * uniform(0.0) / radius);
 }
 

@@ -4,6 +4,8 @@
 
 #include "base/scene.hpp"
 #include "fabric_tests.hpp"
+#include "mutation.hpp"
+#include "toile/base/error.hpp"
 #include "toile/identify/residuals.hpp"
 
 namespace toile::identify::test {
@@ -114,14 +116,16 @@ TEST(Data, EuropeanTables) {
   const Curve plain = curve_of("stretch [-], nominal stress [MPa]\n1.1, 0.015\n1.2, 0.02\n1.35, 1e-1\n");
   ASSERT_EQ(plain.stretch, (std::vector<double>{1.1, 1.2, 1.35}));
   ASSERT_EQ(plain.stress, (std::vector<double>{0.015, 0.02, 0.1}));
-  for (const std::string text :
-       {"stretch [-]; nominal stress [MPa]\n1,1; 0,015\n1,2; 0,02\n1,35; 1e-1\n",
-        "stretch [-];nominal stress [MPa]\r\n1,1;0,015\r\n1,2;0,02\r\n1,35;0,1\r\n",
-        "\xEF\xBB\xBFstretch [-]\tnominal stress [MPa]\n1,1\t0,015\n1,2\t0,02\n1,35\t0,1\n",
-        "stretch [-]; nominal stress [MPa]\n1.1; 0.015\n1.2; 0.02\n1.35; 0.1\n",
-        "\"stretch [-]\",\"nominal stress [MPa]\"\n\"1,1\",\"0,015\"\n\"1,2\",\"0,02\"\n\"1,35\",\"0,1\"\n",
-        "date; stretch [-]; remark, free; nominal stress [MPa]\n1.5.2024; 1,1; a, b; 0,015\n2.5.2024; 1,2; ; 0,02\n"
-        "3.5.2024; 1,35; ; 0,1\n"}) {
+  const std::string with_more_columns =
+      "date; stretch [-]; remark, free; nominal stress [MPa]\n1.5.2024; 1,1; a, b; 0,015\n"
+      "2.5.2024; 1,2; ; 0,02\n3.5.2024; 1,35; ; 0,1\n";
+  for (const std::string& text : std::vector<std::string>{
+           "stretch [-]; nominal stress [MPa]\n1,1; 0,015\n1,2; 0,02\n1,35; 1e-1\n",
+           "stretch [-];nominal stress [MPa]\r\n1,1;0,015\r\n1,2;0,02\r\n1,35;0,1\r\n",
+           "\xEF\xBB\xBFstretch [-]\tnominal stress [MPa]\n1,1\t0,015\n1,2\t0,02\n1,35\t0,1\n",
+           "stretch [-]; nominal stress [MPa]\n1.1; 0.015\n1.2; 0.02\n1.35; 0.1\n",
+           "\"stretch [-]\",\"nominal stress [MPa]\"\n\"1,1\",\"0,015\"\n\"1,2\",\"0,02\"\n\"1,35\",\"0,1\"\n",
+           with_more_columns}) {
     const Curve curve = curve_of(text);
     EXPECT_EQ(curve.stretch, plain.stretch) << text;
     EXPECT_EQ(curve.stress, plain.stress) << text;
@@ -150,6 +154,33 @@ TEST(Data, AmbiguousDecimalMark) {
       HasSubstr("line 2: 4 cells, but the titles of line 1 are 2; if numbers have a decimal comma, separate the "
                 "columns by semicolons"));
   EXPECT_THAT(data_error(titles + "1,1; 1.234,5\n1,2; 0,2\n"), HasSubstr("\"1.234,5\", expected a finite number"));
+}
+
+// Whatever is changed in a table, its curve is read or it is refused as the user's.
+TEST(Data, TablesWithFaultsAreReadOrRefused) {
+  const FitFolder folder;
+  folder.write("fit.xml", list("fit", list("Material", list("knit", material)) + list("Free", mu) +
+                                          list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                                        parameter("angle", "double", "0"))) +
+                                          list("Algorithm", "")));
+  const base::List input = folder.read();
+  int read = 0, refused = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const std::string text = toile::test::Mutation(seed)(
+        "# a strip\nstretch [-]; room [C]; nominal stress [MPa]; date\n"
+        "1,05; ; 0,01; 1.5.2024\n1,1; ; 0,02; \n1,2; ; 0,0415; \n");
+    folder.write("wale.csv", text);
+    try {
+      FitProblem problem(input);
+      ++read;
+    } catch (const base::InputError&) {
+      ++refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << text << ": " << error.what();
+    }
+  }
+  EXPECT_GT(read + refused, 999);
+  EXPECT_GT(refused, 100);
 }
 
 // What is no text in UTF-8, or no file, is refused with the reason.

@@ -7,6 +7,7 @@
 #include "derivatives.hpp"
 #include "formulas.hpp"
 #include "input_error.hpp"
+#include "mutation.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::material::test {
@@ -139,6 +140,26 @@ TEST(Formula, RefusesDeepNesting) {
     EXPECT_LT(message.size(), 300U);
   }
   EXPECT_THAT(refusal(repeated("mu + ", 30000) + "I1"), HasSubstr("the formula has more than 100000 characters"));
+}
+
+// Whatever is changed in a formula, it is translated or refused as the user's.
+TEST(Formula, FormulasWithFaultsAreTranslatedOrRefused) {
+  const std::string text =
+      "e = max(C11 - 1, 0); mu/2*(I1 - 3) + k/(2*0.8)*(exp(0.8*e^2) - 1) + if(l1 < l2, -J, ln(I2))";
+  int translated = 0, refused = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const std::string formula = toile::test::Mutation(seed)(text);
+    try {
+      make_formula_law("mine", "", formula, {number("mu"), number("k")});
+      ++translated;
+    } catch (const base::InputError&) {
+      ++refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << formula << ": " << error.what();
+    }
+  }
+  EXPECT_GT(translated, 100);
+  EXPECT_GT(refused, 1000);
 }
 
 // A long formula that is not deep, and one that is as deep as anybody writes, are translated.

@@ -17,7 +17,8 @@
 #include "toile/result/history.hpp"
 #include "toile/result/state_file.hpp"
 
-namespace {
+/// The C library's writes, of this program and its libraries.
+namespace interposed {
 
 /// What the writes of a child do; -1: as always.
 struct Writes {
@@ -25,20 +26,20 @@ struct Writes {
   long kill_at = -1;
   long full_from = -1;
 };
-Writes writes;
+inline Writes writes;
 
 /// Whether this write fails for want of space.
-bool next_write_fails() {
+inline bool next_write_fails() {
   ++writes.done;
   if (writes.done == writes.kill_at) kill(getpid(), SIGKILL);
   return writes.full_from >= 0 && writes.done >= writes.full_from;
 }
 
-}  // namespace
+}  // namespace interposed
 
 // These take the place of the C library's, in the libraries too.
 extern "C" ssize_t write(int file, const void* data, size_t size) {
-  if (file > 2 && next_write_fails()) {
+  if (file > 2 && interposed::next_write_fails()) {
     errno = ENOSPC;
     return -1;
   }
@@ -50,6 +51,8 @@ extern "C" ssize_t pwrite(int file, const void* data, size_t size, off_t at) {
 
 namespace toile::result::test {
 namespace {
+
+using interposed::writes;
 
 constexpr int nodes = 707;  ///< of the tube; a field is longer than what netCDF writes at a time
 constexpr int steps = 3;
@@ -169,7 +172,7 @@ TEST_F(InterruptedWrite, AFullDiskIsToldAndLeavesWholeSteps) {
   for (long from = 1;; ++from) {
     SCOPED_TRACE("write " + std::to_string(from));
     const TemporaryFolder folder;
-    std::ofstream(folder.file("message"));
+    std::ofstream(folder.file("message")) << "";
     const int status = in_a_child([&] {
       writes.full_from = from;
       try {

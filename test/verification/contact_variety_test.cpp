@@ -43,7 +43,7 @@ PartError errors_where(const PatternSleeve& sleeve, const Counts& counts, const 
 class LiftOff : public testing::TestWithParam<const char*> {};
 
 // A sleeve that bridges a waist has on free meshes the pressure of the reference within 0.5 % away from the line where
-// it lifts off, within 12 % of the largest beside it, and a sum within 0.6 % of the contact forces.
+// it lifts off, within 6 % (root mean square) beside it, and a sum within 0.6 % of the contact forces.
 TEST_P(LiftOff, HasThePressureOfTheReferenceOnFreeMeshes) {
   const ContactReference reference("contact_waist_nh");
   constexpr double size = 4.0;
@@ -55,23 +55,25 @@ TEST_P(LiftOff, HasThePressureOfTheReferenceOnFreeMeshes) {
   const double near = 2.0 * 1.35 * size;
   const PartError away = errors_where(
       sleeve, [&](size_t n) { return z(n) > line + near && z(n) < end - near; }, exact);
-  double scale = std::sqrt(away.exact / away.area), worst = 0.0, force = 0.0, sum = 0.0;
+  const PartError beside = errors_where(
+      sleeve, [&](size_t n) { return std::abs(z(n) - line) <= near; }, exact);
+  const double scale = std::sqrt(away.exact / away.area), close = std::sqrt(beside.squares / beside.area) / scale;
+  double force = 0.0, sum = 0.0;
   for (size_t n = 0; n < sleeve.fields.pressure.size(); ++n) {
     if (z(n) < line - near) {
       EXPECT_EQ(sleeve.fields.pressure[n], 0.0);
     }
-    if (std::abs(z(n) - line) <= near) worst = std::max(worst, std::abs(sleeve.fields.pressure[n] - exact(n)));
     if (z(n) > end - 1e-6) continue;  // its support takes what it presses
     force += sleeve.fields.contact_force[n];
     sum += sleeve.fields.pressure[n] * sleeve.fields.area[n];
   }
   print(
-      "waist, %-15s  away from lift-off: rms %.3f %%, largest %.2f %%; beside it: largest %.2f %%; sum %+.2f %%; "
+      "waist, %-15s  away from lift-off: rms %.3f %%, largest %.2f %%; beside it: rms %.2f %%; sum %+.2f %%; "
       "isolated %d\n",
-      GetParam(), 100.0 * away.rms(), 100.0 * away.largest(), 100.0 * worst / scale, 100.0 * (sum / force - 1.0),
+      GetParam(), 100.0 * away.rms(), 100.0 * away.largest(), 100.0 * close, 100.0 * (sum / force - 1.0),
       sleeve.fields.isolated_contacts);
   EXPECT_LE(away.rms(), 0.005);
-  EXPECT_LE(worst / scale, 0.12);
+  EXPECT_LE(close, 0.06);
   EXPECT_LE(std::abs(sum / force - 1.0), 0.006);
 }
 
@@ -85,11 +87,12 @@ TEST_P(Wrinkled, PressesWithItsTensionField) {
   const ContactReference reference("contact_cyl_free_nh");
   PatternOptions options;
   options.tension_field = true;
-  options.top = 0.97 * reference.header("z_end");
+  constexpr double closer = 0.97;
+  options.top = closer * reference.header("z_end");
   PatternSleeve sleeve(reference, mesh_of(GetParam(), reference, 4.0), options);
   sleeve.settle();
   const PartError error = errors_where(
-      sleeve, [](size_t) { return true; }, [&](size_t n) { return sleeve.exact(n); });
+      sleeve, [](size_t) { return true; }, [&](size_t) { return reference.at("z", 0.0, "p") / closer; });
   print("tension field, %-15s  rms %.3f %%, largest %.2f %%\n", GetParam(), 100.0 * error.rms(),
         100.0 * error.largest());
   EXPECT_LE(error.rms(), 0.005);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -177,6 +178,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file beyond the user's limit is then an error with a reason, as a full disk is, and not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   // Kokkos would read --threads and --help as its own.
   int own_argc = 1;
   char** own_argv = argv;

@@ -43,7 +43,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder) : scene
   std::filesystem::create_directories(folder, problem);
   if (problem) throw base::InputError("cannot make the folder of the results \"" + folder + "\": " + problem.message());
   const std::string failure = "cannot write in the folder of the results \"" + folder + "\": ";
-  result::Replacement(folder + "/.writable", failure);
+  { const result::Replacement probe(folder + "/.writable", failure); }
   for (const std::string& name : result_files()) result::check_replaceable(folder + "/" + name, failure + name + ": ");
   distances_.resize(scene.output().distances.size());
   points_.resize(scene.output().points.size());

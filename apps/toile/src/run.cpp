@@ -43,12 +43,18 @@ void on_first_rank(const F& work) {
   if (code != 0) throw base::Error(static_cast<base::ExitCode>(code), message);
 }
 
-/// What is on disk after a stage failed.
-std::string kept_text(const Recorder& recorder, const std::string& folder) {
+/// What is on disk after a stage failed. A run that accepted no step writes its start now.
+std::string kept_text(Recorder& recorder, const std::string& folder) {
   if (!result::files_available()) return "";
-  if (recorder.reports().empty()) return " No step was accepted; the start is in " + folder + "/start.exo.";
-  return " The last converged state, step " + std::to_string(recorder.reports().back().step) + ", is the last one in " +
-         folder + "/results.exo, and in " + folder + "/restart.h5.";
+  if (!recorder.reports().empty())
+    return " The last converged state, step " + std::to_string(recorder.reports().back().step) +
+           ", is the last one in " + folder + "/results.exo, and in " + folder + "/restart.h5.";
+  try {
+    recorder.write_start();
+  } catch (const base::Error& error) {
+    return std::string(" No step was accepted, and the start is not written either: ") + error.what();
+  }
+  return " No step was accepted; the start is in " + folder + "/start.exo.";
 }
 
 /// The tables over the steps that were accepted; that the stage failed matters more than that they cannot be written.
@@ -133,9 +139,6 @@ int run(const RunArguments& arguments) {
     } catch (const base::SolveError& error) {
       tell(simulation, log);
       write_histories_of_failed_run(recorder, log);
-      on_first_rank([&] {
-        if (recorder->reports().empty()) recorder->write_start();
-      });
       throw base::SolveError(error.what() + (first ? kept_text(*recorder, folder) : std::string()));
     }
   }

@@ -152,8 +152,8 @@ Import import_body(const std::string& file, const ImportOptions& options) {
   result.mesh = to_triangles(mesh);
   const Nested nested = drop_nested(&result.mesh);
   if (nested.cavities + nested.solids > 0) {
-    note(std::to_string(nested.cavities + nested.solids) + " pieces inside another left out (" +
-             std::to_string(nested.cavities) + " cavities, whose facets look inwards)",
+    note("pieces inside another left out: " + std::to_string(nested.cavities + nested.solids) +
+             " (of them cavities, whose facets look inwards: " + std::to_string(nested.cavities) + ")",
          &result.notes);
   }
   const int turned = orient_outwards(file, options, &result.mesh);

@@ -111,11 +111,12 @@ std::vector<std::vector<int>> Recoverer::clusters_around() const {
 
 bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const {
   const ContactCluster& cluster = fabric_.clusters[c];
-  if (!cluster.surface.found) return false;
+  const double gap = cluster.surface.gap - cluster.offset;
+  if (!cluster.surface.found || gap < 0.0) return false;
   double squared = 0.0;
   for (const int n : neighbours)
     squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
-  return cluster.surface.gap - cluster.offset <= 0.125 * squared * cluster.surface.hessian.norm();
+  return gap <= 0.125 * squared * cluster.surface.hessian.norm();
 }
 
 bool Recoverer::presses(size_t c) {

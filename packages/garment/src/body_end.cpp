@@ -15,10 +15,19 @@ void refuse_section(const base::List& list, const body::Surface& body, const Axi
     lower = std::min(lower, at);
     upper = std::max(upper, at);
   }
-  const bool has_ends = lower <= upper;
-  if (!has_ends || (height >= lower && height <= upper)) list.fail(parameter, what);
-  const bool above = height > upper;
   std::ostringstream text;
+  const bool has_ends = lower <= upper;
+  if (!has_ends || (height >= lower && height <= upper)) {
+    const double outside = body.closest(axis.at(height)).gap;
+    text << what;
+    if (outside >= 0.0) {
+      text << "; the nearest surface is " << outside
+           << " mm away. Lay the axis through the limb; if the body is a hollow "
+           << "shell with an opening, fill it";
+    }
+    list.fail(parameter, text.str());
+  }
+  const bool above = height > upper;
   text << "the body ends at " << (above ? upper : lower) << " mm along the axis, but the panel is wrapped from "
        << list.real("from") << " to " << list.real("to")
        << " mm: move or shorten it, or check the body's \"scale\" and \"up\"";
