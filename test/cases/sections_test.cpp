@@ -145,7 +145,8 @@ TEST_F(Sections, LegsHaveARowEach) {
       }
   write("legs.obj", body.str());
   write_sleeves(R"(<Parameter name="type" type="string" value="file"/>
-                   <Parameter name="file" type="string" value="legs.obj"/><ParameterList name="Reach">
+                   <Parameter name="file" type="string" value="legs.obj"/>
+                   <Parameter name="closed" type="bool" value="false"/><ParameterList name="Reach">
                    <Parameter name="bottom" type="double" value="40"/><Parameter name="top" type="double" value="170"/>
                    </ParameterList>)",
                 sleeve("right", 90.0, "-100", 0.3, 0.0) + sleeve("left", 90.0, "100", 0.3, 0.0), {"right", "left"},
