@@ -2,27 +2,102 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
 namespace toile::base::test {
 namespace {
 
-// The time that is left extends what the run took so far over the stages that remain.
-TEST(Progress, EstimatesTheTimeLeft) {
-  ProgressPoint point;
-  point.stages = 2;
-  EXPECT_FALSE(time_left(point).has_value());
-  point.parameter = 0.5;
-  point.seconds = 10.0;
-  EXPECT_DOUBLE_EQ(time_left(point).value(), 30.0);
-  point.stage_number = 2;
-  point.parameter = 1.0;
-  EXPECT_DOUBLE_EQ(time_left(point).value(), 0.0);
+/// A stage in equal steps whose costs follow `cost` of the parameter: the largest factor, up or down, between what is
+/// estimated and what is left, from the third step on.
+double worst_factor(const std::function<double(double)>& cost, int steps) {
+  std::vector<double> seconds = {3.0};
+  for (int k = 0; k < steps; ++k) seconds.push_back(seconds.back() + cost((k + 0.5) / steps));
+  PathClock clock;
+  clock.start(1.0);
+  clock.reach(0.0, seconds[0]);
+  double worst = 1.0;
+  for (int k = 1; k < steps; ++k) {
+    clock.reach(static_cast<double>(k) / steps, seconds[static_cast<std::size_t>(k)]);
+    const double ratio = clock.left().value() / (seconds.back() - seconds[static_cast<std::size_t>(k)]);
+    if (k >= 3) worst = std::max({worst, ratio, 1.0 / ratio});
+  }
+  return worst;
 }
 
-// The line shows stage, step, load, iterations, elapsed time and time left.
+// The time that is left is known within a factor of two from the third step on, whether a step always takes as long or
+// longer and longer, up to ten and twenty times as long.
+TEST(PathClock, FollowsAGrowingCost) {
+  for (const int steps : {10, 25}) {
+    EXPECT_LT(worst_factor([](double) { return 1.0; }, steps), 1.001);
+    EXPECT_LT(worst_factor([](double s) { return 1.0 + 4.0 * s; }, steps), 1.6);
+    EXPECT_LT(worst_factor([](double s) { return 1.0 + 9.0 * s; }, steps), 1.8);
+    EXPECT_LT(worst_factor([](double s) { return std::exp(3.0 * s); }, steps), 1.9);
+  }
+}
+
+// The same for steps of a real stage, which grow until the last one (parameter and Newton iterations as recorded).
+TEST(PathClock, FollowsGrowingSteps) {
+  PathClock clock;
+  clock.start(0.0);
+  clock.reach(0.0, 74.0);
+  clock.reach(0.1, 83.0);
+  clock.reach(0.272, 94.0);
+  clock.reach(0.559, 100.0);
+  EXPECT_GT(clock.left().value(), 3.0);
+  EXPECT_LT(clock.left().value(), 12.0);  // 6 iterations
+  clock.reach(1.0, 106.0);
+  EXPECT_EQ(clock.left().value(), 0.0);
+}
+
+// Nothing is known before the first step, whatever the equilibrium at the start took.
+TEST(PathClock, KnowsNothingBeforeTheFirstStep) {
+  PathClock clock;
+  clock.start(0.0);
+  EXPECT_FALSE(clock.left().has_value());
+  clock.reach(0.0, 100.0);
+  EXPECT_FALSE(clock.left().has_value());
+  clock.reach(0.5, 101.0);
+  EXPECT_DOUBLE_EQ(clock.left().value(), 1.0);
+}
+
+// A heartbeat is due when nothing was printed for the interval, and then not before another one has passed.
+TEST(Heartbeat, IsDueAfterTheInterval) {
+  double now = 100.0;
+  Heartbeat heartbeat(5.0, [&now] { return now; });
+  EXPECT_FALSE(heartbeat.due());
+  now = 104.9;
+  EXPECT_FALSE(heartbeat.due());
+  heartbeat.line_printed();
+  now = 109.8;
+  EXPECT_FALSE(heartbeat.due());
+  now = 109.9;
+  EXPECT_TRUE(heartbeat.due());
+  EXPECT_FALSE(heartbeat.due());
+  now = 115.0;
+  EXPECT_TRUE(heartbeat.due());
+}
+
+// A line inside a step tells what is sought, the iteration, its residual against the tolerance, and the time.
+TEST(Progress, PrintsAnIteration) {
+  IterationPoint point{"sew", 1, 2, 0.342, false, 41, 3, 3.2e-5, 1e-10, 65.0};
+  EXPECT_EQ(iteration_line(point),
+            "[1/2] sew: seeking 34.2 %, iteration 41, residual 3.2e-05 (tolerance 1.0e-10), 3 cut-backs, 1 min 05 s "
+            "elapsed");
+  point.relaxing = true;
+  point.cut_backs = 0;
+  EXPECT_EQ(
+      iteration_line(point),
+      "[1/2] sew: seeking the final state, iteration 41, residual 3.2e-05 (tolerance 1.0e-10), 1 min 05 s elapsed");
+}
+
+// The line shows stage, step, load, iterations, elapsed time and time to the end of the stage's path.
 TEST(Progress, PrintsOneLine) {
-  const ProgressPoint point{"sew", 1, 2, 7, 0.5, 0.25, 4, 10.0};
+  const ProgressPoint point{"sew", 1, 2, 7, 0.5, 0.25, 4, 10.0, false, 30.0};
   EXPECT_EQ(progress_line(point),
-            "[1/2] sew: step 7, 50.0 %, load 0.2500, 4 iterations, 10.0 s elapsed, about 30.0 s left");
+            "[1/2] sew: step 7, 50.0 %, load 0.2500, 4 iterations, 10.0 s elapsed, about 30.0 s to 100 %");
 }
 
 // Nothing is said about the time left while it is not known.

@@ -53,10 +53,10 @@ TEST(Direction, AlongTheLimbLiesInTheSurface) {
   scene.sublist("Body").set("type", std::string("cone")).set("slope", 0.2);
   const auto built = build(scene);
   const solve::Support& hem = built->problem().supports.at(1);
-  for (size_t k = 0; k < hem.nodes.size(); ++k) {
+  for (size_t k = 1; k + 1 < hem.nodes.size(); ++k) {
     const Vec3& x = built->garment().mesh.placed[hem.nodes[k]];
     const Vec3 generator = (Vec3(x.x(), x.y(), 0.0).normalized() * 0.2 + Vec3::UnitZ()).normalized();
-    if (k > 0 && k + 1 < hem.nodes.size()) EXPECT_LT((hem.axis(k, 0) - generator).norm(), 1e-9) << k;
+    EXPECT_LT((hem.axis(k, 0) - generator).norm(), 1e-9) << k;
   }
   EXPECT_LT((hem.axes.front() - hem.axes.back()).norm(), 1e-15);
 }
@@ -65,11 +65,11 @@ TEST(Direction, AlongTheLimbLiesInTheSurface) {
 TEST(Direction, NodesMayBeNamedOneByOne) {
   ParameterList scene = flat_scene();
   add_support(scene, "nodes", "tube.top");
-  const Teuchos::Array<std::string> names =
-      Teuchos::tuple<std::string>("tube.top-left", "tube@0.5 0.5", "tube@(101 27)");
+  Teuchos::Array<std::string> names;
+  for (const char* name : {"tube.top-left", "tube@0.5 0.5", "tube@(101 27)"}) names.push_back(name);
   support(scene, "nodes").set("on", names);
   EXPECT_THAT(build(scene)->problem().supports.at(1).nodes, ::testing::ElementsAre(4 * 13, 2 * 13 + 6, 13 + 6));
-  support(scene, "nodes").set("on", Teuchos::tuple<std::string>("tube@(10.1 250)"));
+  support(scene, "nodes").set("on", Teuchos::Array<std::string>(1, "tube@(10.1 250)"));
   EXPECT_THAT(input_error(scene),
               HasSubstr("\"tube@(10.1 250)\" lies outside of the pattern of panel \"tube\": its nearest node is at ("));
 }

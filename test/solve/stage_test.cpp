@@ -311,7 +311,7 @@ TEST(Stage, FailedSettleAcceptsNothing) {
     settle.damping.active = damped;
     const std::string message = failure_of(run.simulation, settle);
     EXPECT_THAT(message, HasSubstr("no undamped equilibrium was found at its end, and no step of it was accepted."));
-    EXPECT_EQ(message.find("Try damping.") == std::string::npos, damped) << message;
+    EXPECT_EQ(message.find("give the stage a list \"Damping\"") == std::string::npos, damped) << message;
     EXPECT_THAT(run.reports, IsEmpty());
     EXPECT_EQ(run.simulation.state().position, start.position);
   }

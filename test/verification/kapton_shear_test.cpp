@@ -74,8 +74,8 @@ void print_work(const PlaneRun& run) {
         run.reports.size(), cut_backs(run), newton_iterations(run), 100.0 * run.reports.back().dissipation_ratio);
 }
 
-// At a shear of 1, 2 and 3 mm the half-wave is that of the published formula within 15 %, the amplitude within 20 %,
-// the state is undamped, stable and was reached quasi-statically, and the mesh has eight elements to a wave.
+// At a shear of 1, 2 and 3 mm the half-wave is that of the published formula within 10, 8 and 8 %, the amplitude within
+// 10 %, the state is undamped, stable and was reached quasi-statically, and the mesh has eight elements to a wave.
 TEST(KaptonShear, WavelengthAndAmplitudeFollowTheFormulae) {
   const auto table = read_table("shell/kapton_shear.csv");
   const PlaneRun foil = run(shipped_scene("benchmarks/kapton-shear.xml"));
@@ -84,8 +84,8 @@ TEST(KaptonShear, WavelengthAndAmplitudeFollowTheFormulae) {
                  amplitude = table.at("amplitude")[k];
     const size_t step = final_step(foil, 1.0 + shear);
     const Wrinkles found = wrinkles(foil, step);
-    EXPECT_NEAR(found.half_wave, half_wave, 0.15 * half_wave) << shear;
-    EXPECT_NEAR(found.amplitude, amplitude, 0.20 * amplitude) << shear;
+    EXPECT_NEAR(found.half_wave, half_wave, (shear < 1.5 ? 0.10 : 0.08) * half_wave) << shear;
+    EXPECT_NEAR(found.amplitude, amplitude, 0.10 * amplitude) << shear;
     EXPECT_EQ(foil.reports[step].negative_pivots, 0) << shear;
     EXPECT_LT(foil.reports[step].dissipation_ratio, 0.05) << shear;
     EXPECT_GE(found.elements_per_wave, 8.0) << shear;

@@ -11,6 +11,7 @@ struct RunArguments {
   int threads = 1;          ///< for the element loops of each rank
   bool quiet = false;
   bool allow_plugins = false;  ///< the scene may load programs
+  double heartbeat = 5.0;      ///< s without a line after which a step that is sought is told of
 };
 
 /// What the command line says of a check of a scene.

@@ -107,6 +107,9 @@ int dispatch(int argc, char** argv) {
       ->type_name("DIR");
   run->add_option("--threads", arguments.threads, "Threads of each rank in the element loops (default: 1)")
       ->check(CLI::Range(1, 1024));
+  run->add_option("--heartbeat", arguments.heartbeat,
+                  "Seconds without a line after which the iterations of a step are told of (default: 5)")
+      ->check(CLI::Range(0.0, 1e9));
   run->add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
 
   run->add_flag("--allow-plugins", arguments.allow_plugins, allow_text);

@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "findings.hpp"
 #include "recorder.hpp"
 #include "start.hpp"
+#include "stop_signal.hpp"
 #include "summary.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/log.hpp"
@@ -93,6 +95,59 @@ base::ProgressPoint progress_of(const solve::StepReport& r, int stage_number, in
   return point;
 }
 
+/// What the terminal shows while a stage runs: a line an accepted step, and one now and then inside a step that takes
+/// long.
+class Progress {
+ public:
+  Progress(const scene::Scene& scene, const base::Timer& timer, base::Log& log, double interval)
+      : scene_(scene), timer_(timer), log_(log), heartbeat_(interval, [&timer] { return timer.elapsed(); }) {}
+
+  void start_stage() {
+    ++stage_number_;
+    path_.start(timer_.elapsed());
+  }
+  void step(const solve::StepReport& report) {
+    base::ProgressPoint point = progress_of(report, stage_number_, stages(), timer_.elapsed());
+    path_.reach(report.parameter, point.seconds);
+    if (!report.undamped) point.left = path_.left();
+    log_.info(base::progress_line(point));
+    heartbeat_.line_printed();
+  }
+  void iteration(const solve::IterationReport& report) {
+    if (!log_.prints() || !heartbeat_.due()) return;
+    base::IterationPoint point;
+    point.stage = report.stage;
+    point.stage_number = stage_number_;
+    point.stages = stages();
+    point.parameter = report.parameter;
+    point.relaxing = report.relaxing;
+    point.iteration = report.iteration;
+    point.cut_backs = report.cut_backs;
+    point.residual = report.residual;
+    point.tolerance = scene_.solver().newton.tolerance;
+    point.seconds = timer_.elapsed();
+    log_.info(base::iteration_line(point));
+  }
+
+ private:
+  int stages() const { return static_cast<int>(scene_.stages().size()); }
+
+  const scene::Scene& scene_;
+  const base::Timer& timer_;
+  base::Log& log_;
+  base::Heartbeat heartbeat_;
+  base::PathClock path_;
+  int stage_number_ = 0;
+};
+
+/// A garment that does not press may be right, but nobody runs a scene for it.
+void tell_idle(const scene::Scene& scene, const solve::Fields& fields, base::Log& log) {
+  constexpr double nothing = 1e-7;  // MPa
+  const auto presses = [](double pressure) { return pressure > nothing; };
+  if (scene.problem().surface != nullptr && std::none_of(fields.pressure.begin(), fields.pressure.end(), presses))
+    log.warn("the garment presses on the body nowhere: it is wider than the body, or beside it");
+}
+
 std::string folder_of(const RunArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
   return "results/" + std::filesystem::path(arguments.scene).stem().string();
@@ -122,17 +177,19 @@ int run(const RunArguments& arguments) {
 
   tell_start(scene::look_at_start(scene, list), log);
 
+  catch_stop_signals();
   solve::Simulation simulation(scene.problem(), scene.solver());
   simulation.set_start(scene.start());
-  int stage_number = 0;
+  Progress progress(scene, timer, log, arguments.heartbeat);
+  simulation.observe_iterations([&](const solve::IterationReport& report) { progress.iteration(report); });
+  simulation.stop_when(stop_signal);
   simulation.observe([&](const solve::StepReport& r, const solve::State& state) {
-    const int stages = static_cast<int>(scene.stages().size());
-    log.info(base::progress_line(progress_of(r, stage_number, stages, timer.elapsed())));
+    progress.step(r);
     const auto phase = timer.phase("output");
     on_first_rank([&] { recorder->step(r, state); });
   });
   for (const solve::StageOptions& stage : scene.stages()) {
-    ++stage_number;
+    progress.start_stage();
     const auto phase = timer.phase("solve");
     try {
       simulation.run(stage);
@@ -155,6 +212,7 @@ int run(const RunArguments& arguments) {
     }
     tell(simulation, log);
     for (const std::string& warning : pressure.warnings) log.warn(warning);
+    tell_idle(scene, recorder->last(), log);
     for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
     log.info(findings(scene, recorder->last(), pressure) + files_text(*recorder));

@@ -143,6 +143,9 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
       << "\n";
   out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
+  if (report.stabilisation_energy != 0.0)
+    out << "  of it in hourglass modes of reduced shells: "
+        << 100.0 * report.stabilisation_energy / report.strain_energy << " %\n";
   out << "  equilibrium: relative residual " << report.residual << ", " << stability(report.negative_pivots) << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations

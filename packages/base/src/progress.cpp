@@ -1,15 +1,55 @@
 #include "toile/base/progress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace toile::base {
 
-std::optional<double> time_left(const ProgressPoint& point) {
-  const double done = (point.stage_number - 1 + point.parameter) / point.stages;
-  if (done <= 0.0) return std::nullopt;
-  return point.seconds * (1.0 - done) / done;
+void PathClock::start(double seconds) {
+  parameter_ = {0.0};
+  seconds_ = {seconds};
+}
+
+void PathClock::reach(double parameter, double seconds) {
+  if (parameter > parameter_.back()) {
+    parameter_.push_back(parameter);
+    seconds_.push_back(seconds);
+  } else if (parameter_.size() == 1) {  // the first equilibrium is no step
+    seconds_.back() = seconds;
+  }
+}
+
+double PathClock::seconds_at(double parameter) const {
+  const auto next = std::upper_bound(parameter_.begin() + 1, parameter_.end() - 1, parameter) - parameter_.begin();
+  const auto k = static_cast<std::size_t>(next);
+  const double share = (parameter - parameter_[k - 1]) / (parameter_[k] - parameter_[k - 1]);
+  return seconds_[k - 1] + share * (seconds_[k] - seconds_[k - 1]);
+}
+
+// The cost grows along a line or an exponential, one cannot tell which: the geometric mean of both. Where it falls, as
+// the steps grow, it is taken to stay.
+std::optional<double> PathClock::left() const {
+  if (parameter_.size() < 2) return std::nullopt;
+  constexpr double most_growth = 2.5;  // of the cost's logarithm, over the way that is left
+  constexpr double no_growth = 1e-6;
+  const double way = std::max(0.0, 1.0 - parameter_.back()), half = 0.5 * parameter_.back();
+  const double middle = seconds_at(half);
+  const double before = (middle - seconds_.front()) / half, now = (seconds_.back() - middle) / half;
+  if (before <= 0.0 || way <= 0.0 || std::log(now / before) * way <= no_growth * half) return way * now;
+  // The costs hold at a quarter and at three quarters of the way so far.
+  const double line = way * (now + (now - before) / half * 0.5 * (half + way));
+  const double growth = std::min(std::log(now / before) / half, most_growth / way);
+  const double exponential = now * std::exp(0.5 * growth * half) * std::expm1(growth * way) / growth;
+  return std::sqrt(line * exponential);
+}
+
+bool Heartbeat::due() {
+  const double now = clock_();
+  if (now - last_ < interval_) return false;
+  last_ = now;
+  return true;
 }
 
 std::string duration_text(double seconds) {
@@ -32,7 +72,21 @@ std::string progress_line(const ProgressPoint& point) {
       << std::fixed << std::setprecision(1) << 100.0 * point.parameter
       << (point.final_state ? " % (final state), load " : " %, load ") << std::setprecision(4) << point.load << ", "
       << point.iterations << " iterations, " << duration_text(point.seconds) << " elapsed";
-  if (const auto left = time_left(point)) out << ", about " << duration_text(*left) << " left";
+  if (point.left && *point.left > 0.0) out << ", about " << duration_text(*point.left) << " to 100 %";
+  return out.str();
+}
+
+std::string iteration_line(const IterationPoint& point) {
+  std::ostringstream out;
+  out << '[' << point.stage_number << '/' << point.stages << "] " << point.stage << ": ";
+  if (point.relaxing)
+    out << "seeking the final state";
+  else
+    out << "seeking " << std::fixed << std::setprecision(1) << 100.0 * point.parameter << " %";
+  out << ", iteration " << point.iteration << std::scientific << std::setprecision(1) << ", residual " << point.residual
+      << " (tolerance " << point.tolerance << ")";
+  if (point.cut_backs > 0) out << ", " << point.cut_backs << " cut-backs";
+  out << ", " << duration_text(point.seconds) << " elapsed";
   return out.str();
 }
 

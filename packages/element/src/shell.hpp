@@ -57,6 +57,8 @@ class Shell final : public Element {
   void freeze(const Batch& batch, double* frozen) const override;
   PointFields fields(const Batch& batch) const override;
   PointTensions tensions(const Batch& batch, const double* map) const override;
+  bool stabilised() const override { return has_control; }
+  void stabilisation_energy(const Batch& batch, double* energy) const override;
   void nodal_areas(const Batch& batch, double* areas) const override;
   void reference_areas(const Batch& batch, double* areas) const override;
 
@@ -64,7 +66,7 @@ class Shell final : public Element {
   static constexpr int dofs = 5 * Nodes;
   static constexpr int largest_chunk = 64;
   static constexpr int chunk_points = 768;
-  static constexpr bool stabilised = Control::frozen_values > 0;
+  static constexpr bool has_control = Control::frozen_values > 0;
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
   using State = ShellState<Nodes, Points, ShearPoints>;
@@ -184,7 +186,7 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::evaluate_element(const B
   shear.set_reference(formulation_.shear, state.nodes, state.shear_point, batch.shear_modulus * batch.thickness);
   shear.deform(state.nodes);
   add(shear);
-  if constexpr (stabilised) {
+  if constexpr (has_control) {
     Control control;
     control.set_reference(state.nodes, state.shear_point, state.point[0], batch.thickness,
                           batch.frozen + e * frozen_values() + Points);
@@ -229,8 +231,8 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze(const Batch& batc
   PointResponse natural;
   for (int first = 0, count = 0; first < batch.n; first += count) {
     count = std::min(chunk_size(middle), batch.n - first);
-    const Chunk& chunk = fill(batch, middle, nullptr, first, count, stabilised);
-    if constexpr (stabilised) {
+    const Chunk& chunk = fill(batch, middle, nullptr, first, count, has_control);
+    if constexpr (has_control) {
       natural.resize(count);
       for (int k = 0; k < count; ++k) natural.set_C(k, {1.0, 1.0, 0.0});
       natural.evaluate(batch, first, 1, true);
@@ -248,7 +250,7 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze_element(const Chu
   const PointResponse& response = chunk.response;
   const bool admissible = status(chunk, k) != material::point_not_admissible;
   for (int p = 0; p < Points; ++p) frozen[p] = admissible ? response.thickness_stretch[k * Points + p] : 1.0;
-  if constexpr (stabilised) {
+  if constexpr (has_control) {
     double S[3] = {}, D[6], at_rest[6];
     natural.pick(natural.D, k, 1.0, at_rest);
     std::copy_n(at_rest, 6, D);
@@ -356,6 +358,24 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::add_wrinkles(const Batch
   for (int k = 0; k < middle.n; ++k) {
     out.wrinkle_state.push_back(state[k]);
     add_crest(chunk.state[k / Points].point[k % Points].a, direction[k], direction[middle.n + k], out);
+  }
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+void Shell<Nodes, Edges, Points, ShearPoints, Control>::stabilisation_energy(const Batch& batch, double* energy) const {
+  if constexpr (has_control) {
+    for (std::ptrdiff_t e = 0; e < batch.n; ++e) {
+      State state;
+      state.set_reference(batch, e, formulation_.rule, formulation_.shear_rule);
+      state.nodes.set_positions(batch, e);
+      state.nodes.set_directors(batch, e);
+      state.point[0].deform(state.nodes, batch.frozen[e * frozen_values()]);
+      Control control;
+      control.set_reference(state.nodes, state.shear_point, state.point[0], batch.thickness,
+                            batch.frozen + e * frozen_values() + Points);
+      control.deform(state.nodes, state.point[0]);
+      energy[e] = control.energy();
+    }
   }
 }
 

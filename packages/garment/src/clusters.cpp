@@ -46,6 +46,14 @@ Clusters build_clusters(int nodes, const std::vector<Seam>& seams) {
   return clusters;
 }
 
+std::vector<std::string> seam_names(const Clusters& clusters, const std::vector<Seam>& seams) {
+  std::vector<std::string> names(clusters.members.size());
+  for (const Seam& seam : seams)
+    for (const auto& [first, second] : seam.pairs)
+      if (std::string& name = names[clusters.of_node[first]]; name.empty()) name = seam.name;
+  return names;
+}
+
 mesh::Vec3 separation(const mesh::Mesh& mesh, const Clusters& clusters, int node, double lambda) {
   return (1.0 - lambda) * (mesh.placed[node] - mesh.placed[clusters.master(node)]);
 }

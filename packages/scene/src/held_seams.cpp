@@ -15,9 +15,9 @@ namespace {
 struct MovedNode {
   size_t support = 0;
   int node = -1, master = -1;
-  Eigen::Index direction = 0;
-  double way = 0.0;   ///< mm
-  double side = 0.0;  ///< mm, mean side of the elements of its panel
+  std::string direction;  ///< a letter, or words
+  double way = 0.0;       ///< mm
+  double side = 0.0;      ///< mm, mean side of the elements of its panel
 };
 
 /// Supports that have ended when the seams start to close; without a stage that sews they are closed from the start.
@@ -62,12 +62,13 @@ std::vector<MovedNode> moved_nodes(const Scene& scene) {
     const solve::Support& support = problem.supports[s];
     if (released.count(support.name) > 0) continue;
     MovedNode worst;
-    for (const int node : support.nodes)
+    for (size_t k = 0; k < support.nodes.size(); ++k)
       for (Eigen::Index d = 0; d < 3; ++d) {
-        const int master = garment.clusters.master(node);
-        const double way = std::abs(garment.mesh.placed[master][d] - garment.mesh.placed[node][d]);
+        const int node = support.nodes[k], master = garment.clusters.master(node);
+        const double way = std::abs(support.axis(k, d).dot(garment.mesh.placed[master] - garment.mesh.placed[node]));
         if (!support.held[static_cast<size_t>(d)] || way <= std::max(worst.way, counts * side[node])) continue;
-        worst = {s, node, master, d, way, side[node]};
+        const std::string direction = support.axes.empty() ? std::string(1, "xyz"[d]) : "its direction";
+        worst = {s, node, master, direction, way, side[node]};
       }
     if (worst.node >= 0) all.push_back(worst);
   }
@@ -80,7 +81,7 @@ bool is_too_far(const MovedNode& moved) {
 
 std::string text(const Scene& scene, const MovedNode& moved) {
   const garment::Garment& garment = scene.garment();
-  const std::string axis(1, "xyz"[moved.direction]);
+  const std::string& axis = moved.direction;
   return "contradicts the seam \"" + seam_of(garment, moved.node).name + "\": the support \"" +
          scene.problem().supports[moved.support].name + "\" holds the node at " +
          place_text(garment.mesh.placed[moved.node]) + " in " + axis + ", and the seam moves it by " +

@@ -138,6 +138,7 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
 void Scene::build_problem(const base::List& list, int ranks) {
   problem_.mesh = &garment_.mesh;
   problem_.clusters = garment_.clusters.members;
+  problem_.seam = garment::seam_names(garment_.clusters, garment_.seams);
   problem_.surface = surface_.get();
   const auto supports = optional_list(list, "Supports");
   if (supports) {
@@ -145,6 +146,7 @@ void Scene::build_problem(const base::List& list, int ranks) {
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
+  solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
     problem_.loads = std::move(read.nodal);

@@ -29,7 +29,7 @@ void set_stepper(Teuchos::ParameterList& loca, const StageOptions& stage, int mo
   stepper.set("Continuation Parameter", "s");
   stepper.set("Initial Value", 0.0);
   stepper.set("Min Value", -1e3);  // never met: between limit points the load may change its sign
-  stepper.set("Max Value", 1.0);
+  stepper.set("Max Value", stage.until ? 1e3 : 1.0);
   stepper.set("Max Steps", stage.max_steps);
   stepper.set("Max Nonlinear Iterations", most_iterations);
   stepper.set("Compute Eigenvalues", false);

@@ -29,6 +29,11 @@ struct Work {
   double relief() const { return std::clamp(2.0 * stored / dissipated, 0.01, 0.2); }
 };
 
+/// Share of the energy below which a step dissipates nothing: it has moved the garment by round-off only, as where
+/// closed seams are to be closed, and does not tell what the damping does. Damping that is raised until such a step
+/// dissipates is so stiff that positions cannot be resolved to the tolerance.
+constexpr double round_off = 1e-16;
+
 /// Ten times the damping, and again, until the stage's start is found and its first step from there: `z` is the start
 /// then. False: none was enough, and the damping is as it was.
 bool find_enough(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z, const SolveAt& solve) {
@@ -74,7 +79,7 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
     const double step_squared = now * stage.first_step / (c * equilibrium.mean_mass());
     const double energy = equilibrium.strain_energy(), wanted = stage.damping.fraction * energy;
     const double least = next_to_nothing * std::abs(equilibrium.mean_tangent_diagonal()) * step_squared;
-    if (now <= 0.0 || energy <= least) break;
+    if (now <= round_off * energy || energy <= least) break;
     const Work work{energy - at_start, now};
     if (work.overdamped())
       equilibrium.set_damping(c * work.relief());
@@ -98,7 +103,7 @@ void choose_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vec
 void adapt_damping(Equilibrium& equilibrium, const DampingOptions& options, double largest_energy, double stored,
                    double dissipated, int iterations) {
   const double wanted = options.fraction * largest_energy;
-  if (dissipated <= 0.0 || wanted <= 0.0) return;
+  if (dissipated <= round_off * largest_energy || wanted <= 0.0) return;
   const Work work{stored, dissipated};
   const double factor =
       work.overdamped() ? std::max(work.relief(), fading(iterations)) : std::clamp(wanted / dissipated, 0.2, 5.0);

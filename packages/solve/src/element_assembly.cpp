@@ -271,6 +271,19 @@ void ElementAssembly::adopt_frozen() {
   for (Part& part : parts_) std::swap(part.frozen, part.next_frozen);
 }
 
+double ElementAssembly::stabilisation_energy(const Configuration& at) {
+  double sum = 0.0;
+  for (Part& part : parts_) {
+    if (!part.element->stabilised() || part.layout->elements.empty()) continue;
+    gather(part, at);
+    std::vector<double> energy(part.layout->elements.size());
+    part.element->stabilisation_energy(batch(part, 0, static_cast<int>(energy.size())), energy.data());
+    for (size_t e = 0; e < energy.size(); ++e)
+      if (part.layout->owned[e]) sum += energy[e];
+  }
+  return sum;
+}
+
 std::vector<double> ElementAssembly::reference_areas() const {
   std::vector<double> areas(layout_.nodes.size(), 0.0);
   for (const Part& part : parts_) {

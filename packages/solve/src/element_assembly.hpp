@@ -43,6 +43,8 @@ class ElementAssembly {
   double find_frozen(const Configuration& at);
   void adopt_frozen();
 
+  /// Part of the energy that only stabilises reduced elements, N mm, of the elements owned by this rank.
+  double stabilisation_energy(const Configuration& at);
   /// Reference area (mm^2) that belongs to each local node; complete for nodes of owned clusters.
   std::vector<double> reference_areas() const;
   /// Thickness (mm) averaged over the current area around each local node; complete for nodes of owned clusters.

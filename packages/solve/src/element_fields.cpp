@@ -11,7 +11,7 @@ namespace toile::solve {
 namespace {
 
 /// What is known of the fabric at one integration point.
-struct FabricPoint {
+struct FieldPoint {
   const double* C;       ///< C11, C22, C12 in the material frame
   const double* S;       ///< second Piola-Kirchhoff stress, MPa
   const double* cauchy;  ///< principal Cauchy stresses, MPa, larger first
@@ -38,7 +38,7 @@ struct ElementField {
   const char* name;
   const char* unit;
   const char* text;
-  double (*value)(const FabricPoint& point, int component);
+  double (*value)(const FieldPoint& point, int component);
   Over over = Over::mean;
   bool of_wrinkles = false;  ///< there only if a material relaxes
   int components = 1;
@@ -47,47 +47,47 @@ struct ElementField {
 // One entry a field: what is written, described and documented comes from here.
 // Tension along the deformed yarns: h e.sigma.e = h0 e.F S F^T.e / area stretch, with e = F N / |F N|.
 const ElementField table[] = {
-    {"stretch_wale", "", "stretch of the fabric's wales", [](const FabricPoint& p, int) { return std::sqrt(p.C[0]); }},
-    {"stretch_course", "", "stretch of its courses", [](const FabricPoint& p, int) { return std::sqrt(p.C[1]); }},
+    {"stretch_wale", "", "stretch of the fabric's wales", [](const FieldPoint& p, int) { return std::sqrt(p.C[0]); }},
+    {"stretch_course", "", "stretch of its courses", [](const FieldPoint& p, int) { return std::sqrt(p.C[1]); }},
     {"stretch_major", "", "larger principal stretch",
-     [](const FabricPoint& p, int) { return std::sqrt(p.mean() + p.radius()); }},
+     [](const FieldPoint& p, int) { return std::sqrt(p.mean() + p.radius()); }},
     {"stretch_minor", "", "smaller principal stretch",
-     [](const FabricPoint& p, int) { return std::sqrt(std::max(0.0, p.mean() - p.radius())); }},
+     [](const FieldPoint& p, int) { return std::sqrt(std::max(0.0, p.mean() - p.radius())); }},
     {"stress_wale", "MPa", "second Piola-Kirchhoff stress in the fabric's directions",
-     [](const FabricPoint& p, int) { return p.S[0]; }},
+     [](const FieldPoint& p, int) { return p.S[0]; }},
     {"stress_course", "MPa", "second Piola-Kirchhoff stress in the fabric's directions",
-     [](const FabricPoint& p, int) { return p.S[1]; }},
+     [](const FieldPoint& p, int) { return p.S[1]; }},
     {"stress_shear", "MPa", "second Piola-Kirchhoff stress in the fabric's directions",
-     [](const FabricPoint& p, int) { return p.S[2]; }},
-    {"cauchy_major", "MPa", "larger principal Cauchy stress", [](const FabricPoint& p, int) { return p.cauchy[0]; }},
+     [](const FieldPoint& p, int) { return p.S[2]; }},
+    {"cauchy_major", "MPa", "larger principal Cauchy stress", [](const FieldPoint& p, int) { return p.cauchy[0]; }},
     {"cauchy_minor", "MPa",
      "smaller principal Cauchy stress; negative: the fabric would wrinkle (with `compression` = tension field it does, "
      "and what is left is its residual stiffness)",
-     [](const FabricPoint& p, int) { return p.cauchy[1]; }},
+     [](const FieldPoint& p, int) { return p.cauchy[1]; }},
     {"tension_wale", "N/mm", "force per current length along the deformed wales",
-     [](const FabricPoint& p, int) {
+     [](const FieldPoint& p, int) {
        const double *C = p.C, *S = p.S;
        return p.thickness / p.area_stretch() * (C[0] * C[0] * S[0] + 2.0 * C[0] * C[2] * S[2] + C[2] * C[2] * S[1]) /
               C[0];
      }},
     {"tension_course", "N/mm", "force per current length along the deformed courses",
-     [](const FabricPoint& p, int) {
+     [](const FieldPoint& p, int) {
        const double *C = p.C, *S = p.S;
        return p.thickness / p.area_stretch() * (C[1] * C[1] * S[1] + 2.0 * C[1] * C[2] * S[2] + C[2] * C[2] * S[0]) /
               C[1];
      }},
     {"energy_density", "MPa", "strain energy per reference volume",
-     [](const FabricPoint& p, int) { return p.energy_density; }},
+     [](const FieldPoint& p, int) { return p.energy_density; }},
     {"thickness", "mm", "current thickness",
-     [](const FabricPoint& p, int) { return p.thickness * p.thickness_stretch; }},
+     [](const FieldPoint& p, int) { return p.thickness * p.thickness_stretch; }},
     {"extrapolated", "", "above 0: outside the calibrated range of the fabric",
-     [](const FabricPoint& p, int) { return p.extrapolated ? 1.0 : 0.0; }, Over::largest},
+     [](const FieldPoint& p, int) { return p.extrapolated ? 1.0 : 0.0; }, Over::largest},
     {"wrinkle_state", "",
      "0 taut, 1 wrinkled, 2 slack: the largest in the element. Only where a fabric's `compression` is relaxed; of "
      "shells at the mid-surface",
-     [](const FabricPoint& p, int) { return static_cast<double>(p.wrinkle_state); }, Over::largest, true},
+     [](const FieldPoint& p, int) { return static_cast<double>(p.wrinkle_state); }, Over::largest, true},
     {"wrinkle", "", "unit vector along the crests of the wrinkles; zero where there are none",
-     [](const FabricPoint& p, int d) { return p.crest[d]; }, Over::line, true, 3},
+     [](const FieldPoint& p, int d) { return p.crest[d]; }, Over::line, true, 3},
 };
 
 bool relaxes(const Problem& problem) {
@@ -95,7 +95,7 @@ bool relaxes(const Problem& problem) {
                      [](const BlockLaw& law) { return law.material->response().relaxes(); });
 }
 
-FabricPoint fabric_point(const element::PointFields& f, size_t point, double thickness) {
+FieldPoint fabric_point(const element::PointFields& f, size_t point, double thickness) {
   static constexpr double no_crest[3] = {};
   const bool wrinkles = !f.wrinkle_state.empty();
   return {&f.C[3 * point],
@@ -111,7 +111,7 @@ FabricPoint fabric_point(const element::PointFields& f, size_t point, double thi
 
 using Components = std::array<double, 3>;
 
-Components at_point(const ElementField& field, const FabricPoint& point) {
+Components at_point(const ElementField& field, const FieldPoint& point) {
   Components value{};
   for (int c = 0; c < field.components; ++c) value[static_cast<size_t>(c)] = field.value(point, c);
   return value;
@@ -121,9 +121,9 @@ double dot(const Components& a, const Components& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Components combined(const ElementField& field, const std::vector<FabricPoint>& points) {
+Components combined(const ElementField& field, const std::vector<FieldPoint>& points) {
   Components sum{};
-  for (const FabricPoint& point : points) {
+  for (const FieldPoint& point : points) {
     const Components value = at_point(field, point);
     const double sign = field.over == Over::line && dot(sum, value) < 0.0 ? -1.0 : 1.0;
     for (size_t c = 0; c < sum.size(); ++c)
@@ -159,7 +159,7 @@ std::vector<NamedField> element_values(const Problem& problem, const element::Po
     for (int c = 0; c < field.components; ++c)
       all.push_back({component_name(field.name, field.components, c), field.unit, std::vector<double>(count)});
   }
-  std::vector<FabricPoint> of_element;
+  std::vector<FieldPoint> of_element;
   for (size_t e = 0; e < count; ++e) {
     of_element.clear();
     for (size_t q = 0; q < per; ++q) of_element.push_back(fabric_point(points, e * per + q, thickness));

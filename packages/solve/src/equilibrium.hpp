@@ -16,6 +16,8 @@
 
 namespace toile::solve {
 
+class Watch;
+
 /// Seams and load as functions of the stage's parameter s in [0, 1].
 struct Drive {
   double seam_start = 0.0, seam_end = 0.0;
@@ -74,12 +76,18 @@ class Equilibrium {
   ForceBalance balance(const Vector& z, double s);
 
   double strain_energy() const { return strain_energy_; }
+  /// The part of it at (z, s) that only stabilises reduced elements, N mm. Collective.
+  double stabilisation_energy(const Vector& z, double s);
   /// Negative pivots of the last fresh tangent before any shift (contact multipliers are not in it).
   /// -1: not known, the factorisation failed.
   int unshifted_negative_pivots() const { return unshifted_pivots_; }
   /// Elements of all ranks outside the calibrated range of their fabric, at the last residual.
   int extrapolated() const { return extrapolated_; }
   const LinearSolver& linear() const { return linear_; }
+  const Layout& layout() const { return layout_; }
+  /// What follows the iterations, or null.
+  void set_watch(Watch* watch) { watch_ = watch; }
+  Watch* watch() const { return watch_; }
   /// The next tangent is factorised afresh.
   void renew_factorisation() { want_fresh_ = true; }
 
@@ -181,6 +189,7 @@ class Equilibrium {
   int unshifted_pivots_ = -1;
   double last_shift_ = 0.0;
   int extrapolated_ = 0;
+  Watch* watch_ = nullptr;
   bool want_fresh_ = true;
   bool seek_minimum_ = true;
   std::vector<double> free_part_;      ///< [owned cluster]

@@ -105,6 +105,11 @@ double Equilibrium::path_direction(const Vector& z, double s, const Vector& dz, 
   return ds - dz.dot(tangent) < 0.0 ? -1.0 : 1.0;
 }
 
+double Equilibrium::stabilisation_energy(const Vector& z, double s) {
+  positions(z, s);
+  return sum(elements_.stabilisation_energy(at_));
+}
+
 double Equilibrium::dissipation(const Vector& z, double s) {
   positions(z, s);
   double total = 0.0;

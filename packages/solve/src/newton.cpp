@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "watch.hpp"
+
 namespace toile::solve {
 
 const EquilibriumGroup& unwrap(const NOX::Abstract::Group& group) {
@@ -33,6 +35,10 @@ NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic&
                   ? NOX::StatusTest::Converged
                   : NOX::StatusTest::Failed;
   else if (!std::isfinite(last_.force) || !std::isfinite(last_.gap) || iterations_ >= options_.max_iterations)
+    status_ = NOX::StatusTest::Failed;
+  Watch* watch = group.equilibrium().watch();
+  if (watch != nullptr && !watch->go_on(iterations_, group.parameter(), last_.relative(), last_.gap) &&
+      status_ == NOX::StatusTest::Unconverged)
     status_ = NOX::StatusTest::Failed;
   return status_;
 }

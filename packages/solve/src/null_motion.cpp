@@ -136,7 +136,7 @@ bool PartMotions::resisted_later(const Held& held, const std::vector<bool>& guid
     if (guided[c]) return false;  // the body's curvature would have to be known
     const Vec3 second = w.cross(Vec3(generator_at(state_.position[c]) * motion));
     for (int i = 0; i < 3; ++i)
-      if (held.position[c][i].held && std::abs(second[i]) > negligible) return true;
+      if (held.position[c][i].held && std::abs(held.direction(c, i).dot(second)) > negligible) return true;
   }
   return false;
 }

@@ -60,6 +60,8 @@ const GlobalField global_table[] = {
     {"load", "", "0 to 1", [](const StepReport& r) { return r.load; }},
     {"seam_closing", "", "0 to 1", [](const StepReport& r) { return r.seam; }},
     {"strain_energy", "N mm", "stored", [](const StepReport& r) { return r.strain_energy; }},
+    {"stabilisation_energy", "N mm", "part of it that only holds the hourglass modes of reduced shells",
+     [](const StepReport& r) { return r.stabilisation_energy; }},
     {"dissipated_energy", "N mm", "lost to artificial damping so far",
      [](const StepReport& r) { return r.dissipated; }},
     {"dissipation_ratio", "", "dissipated over the largest strain energy",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "continuation.hpp"
@@ -20,15 +21,20 @@ class PathWatch {
   /// Whether the step that converged at (z, s) counts. False: it is a jump, or may be one, and a shorter step may still
   /// follow the path.
   bool accepts(const Vector& z, double s, int iterations);
-  /// A step was accepted at (z, s). Returns what is to be said of it; empty: the path was followed.
-  std::string accepted(const Vector& z, double s);
+  /// A step was accepted at (z, s). Returns whether it is a jump.
+  bool accepted(const Vector& z, double s);
+  /// What is to be said of the stage's jumps; empty: there are none.
+  std::string warning() const;
 
  private:
-  enum class Way { followed, unknown, left };
   bool suspect(const Vector& z, double s, int iterations) const;
-  Way way_back(const Vector& z, double s);
-  std::string warning(const Vector& z, double s);
+  bool returns(const Vector& z, double s);
+  void note(const Vector& z, double s);
 
+  struct Jump {
+    double from, to, distance;  ///< loads (or closings), mm
+    Vec3 at;                    ///< that moved furthest, before
+  };
   std::shared_ptr<Equilibrium> equilibrium_;
   StageOptions stage_;
   NewtonOptions options_;
@@ -36,6 +42,9 @@ class PathWatch {
   RCP<const Vector> change_;  ///< from the one before, the last step; null: not known
   double s_ = 0.0, interval_ = 0.0;
   bool left_ = false;
+  std::optional<Jump> largest_;
+  int jumps_ = 0;
+  double first_ = 0.0, end_ = 0.0;  ///< where the first began and the last ended
 };
 
 }  // namespace toile::solve

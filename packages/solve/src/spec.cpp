@@ -13,7 +13,18 @@ using base::Range;
 using base::Spec;
 
 Spec stage_common(const std::string& name, const std::string& text) {
-  return Spec(name, text).words("release", "Names of supports that end with the start of this stage.", base::Texts{});
+  return Spec(name, text)
+      .words("release", "Names of supports that end with the start of this stage.", base::Texts{})
+      .real(
+          "most time", "s",
+          "Time after which the stage ends where it is, with its last converged state; 0: no limit. See also the list "
+          "\"Solver\".",
+          0.0, Range::at_least(0))
+      .integer(
+          "most iterations in all",
+          "Newton iterations of all steps, failed attempts and the search for the final state included, after which "
+          "the stage ends where it is.",
+          5000, Range::at_least(1));
 }
 
 Spec& add_steps(Spec& spec) {
@@ -43,6 +54,27 @@ Spec damping_spec() {
             0.05, Range::positive());
 }
 
+Spec until_spec() {
+  return Spec("Until",
+              "Of arc length: the stage ends where the quantity first has the value, on falling branches too, instead "
+              "of where the load first reaches \"target\" (which then only scales the steps). Left out: the load.")
+      .choice("quantity",
+              "displacement: of a node from where it is placed; reaction: force of a support on the garment.",
+              {"displacement", "reaction"}, std::string("displacement"))
+      .word("on", "Name of a corner (front.top-left) or of a place (front.top@0.5); of a reaction: of a support.")
+      .choice("direction", "Component of the displacement or of the force.", {"x", "y", "z"})
+      .real("value", "mm, N", "At which the stage ends.");
+}
+
+PathTarget read_until(const List& until) {
+  PathTarget target;
+  target.on = until.word("on");
+  target.direction = until.word("direction")[0] - 'x';
+  target.value = until.real("value");
+  if (until.word("quantity") == "reaction") target.support = 0;
+  return target;
+}
+
 }  // namespace
 
 Spec stages_spec() {
@@ -55,6 +87,7 @@ Spec stages_spec() {
               "first is \"first step\" of the load. Without body and damping only.",
               {"natural", "arc length"}, std::string("natural"));
   for (Spec* spec : {&sew, &load}) add_steps(*spec).list(damping_spec());
+  load.list(until_spec());
   Spec settle = stage_common("settle", "Finds the equilibrium at fixed seams, supports and loads.");
   settle.list(damping_spec());
   Spec stage("stage", "One stage of the run.");
@@ -70,9 +103,14 @@ std::vector<StageOptions> read_stages(const List& list) {
     const std::string& type = entry.word("type");
     s.type = type == "sew" ? StageType::sew : type == "load" ? StageType::load : StageType::settle;
     s.released = entry.words("release");
+    s.most_time = entry.real("most time");
+    s.most_iterations = entry.integer("most iterations in all");
     if (s.type == StageType::load) {
       s.target = entry.real("target");
       s.arc_length = entry.word("continuation") == "arc length";
+      if (entry.has_list("Until")) s.until = read_until(entry.list("Until"));
+      if (s.until && !s.arc_length)
+        entry.fail("continuation", "must be \"arc length\" in a stage with a list \"Until\"");
     }
     if (s.type != StageType::settle) {
       s.first_step = entry.real("first step");
@@ -106,7 +144,9 @@ Spec solver_spec() {
       .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
       .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
-      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1));
+      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1))
+      .real("most time", "s", "Time after which the run ends where it is, with its last converged state; 0: no limit.",
+            0.0, Range::at_least(0));
 }
 
 SolverOptions read_solver(const List& list) {
@@ -117,6 +157,7 @@ SolverOptions read_solver(const List& list) {
   o.newton.tolerance = list.real("tolerance");
   o.newton.gap_tolerance = list.real("gap tolerance");
   o.newton.max_iterations = list.integer("most iterations");
+  o.most_time = list.real("most time");
   return o;
 }
 

@@ -82,6 +82,10 @@ class Element {
   virtual int frozen_values() const { return 0; }
   /// Writes them for the state of `batch` (its `frozen` is not read): [n][frozen_values()].
   virtual void freeze(const Batch&, double*) const {}
+  /// Whether part of the energy only holds the deformations that the points do not see (reduced integration).
+  virtual bool stabilised() const { return false; }
+  /// That part, N mm: [n]; of stabilised elements only.
+  virtual void stabilisation_energy(const Batch&, double*) const {}
   /// Current mid-surface area that belongs to each node, integral of N_I over the current area: [n][nodes], mm^2.
   virtual void nodal_areas(const Batch& batch, double* areas) const = 0;
   /// The same over the reference (pattern) area, mm^2; also tells the lumped M* of the damping.

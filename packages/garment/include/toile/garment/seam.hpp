@@ -36,6 +36,9 @@ struct Clusters {
 /// Union of all pairs of all seams. Clusters are numbered in the order of their masters.
 Clusters build_clusters(int nodes, const std::vector<Seam>& seams);
 
+/// [cluster] Name of the first seam that ties it; empty where none does.
+std::vector<std::string> seam_names(const Clusters& clusters, const std::vector<Seam>& seams);
+
 /// Prescribed separation of a node from its cluster's master, x_k = x_m + d_k(lambda) with
 /// d_k(lambda) = (1 - lambda) (X_k - X_m) and X the placed positions, mm: open at lambda = 0, tied at 1.
 mesh::Vec3 separation(const mesh::Mesh& mesh, const Clusters& clusters, int node, double lambda);

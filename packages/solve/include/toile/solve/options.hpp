@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ enum class StageType {
   settle  ///< finds the equilibrium at fixed seams, supports and loads
 };
 
+/// Where a path of arc length ends: a quantity has this value.
+struct PathTarget {
+  std::string on;      ///< a node by name, or a support
+  int node = -1;       ///< of the mesh, whose displacement it is
+  int support = -1;    ///< whose force on the garment it is, if not negative
+  int direction = 2;   ///< x, y, z
+  double value = 0.0;  ///< mm or N
+};
+
 struct StageOptions {
   std::string name;
   StageType type = StageType::settle;
@@ -40,7 +50,10 @@ struct StageOptions {
   double smallest_step = 1e-4;
   double largest_step = 0.5;
   int max_steps = 200;
+  double most_time = 0.0;             ///< s; 0: no limit
+  int most_iterations = 5000;         ///< of Newton's method, failed attempts included
   bool arc_length = false;            ///< pseudo-arc-length instead of natural continuation
+  std::optional<PathTarget> until;    ///< of arc length: where it ends instead of at its target
   bool stability_every_step = false;  ///< count negative pivots at every accepted step, not at the end only
   DampingOptions damping;
   std::vector<std::string> released;  ///< supports that end with the start of this stage
@@ -49,6 +62,7 @@ struct StageOptions {
 struct SolverOptions {
   LinearOptions linear;
   NewtonOptions newton;
+  double most_time = 0.0;  ///< of the run, s; 0: no limit
 };
 
 }  // namespace toile::solve

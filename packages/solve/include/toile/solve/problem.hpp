@@ -101,7 +101,8 @@ struct Problem {
   const mesh::Mesh* mesh = nullptr;
   /// Nodes that a seam ties, master first; every node is in exactly one cluster.
   std::vector<std::vector<int>> clusters;
-  std::vector<BlockLaw> laws;  ///< one a block
+  std::vector<std::string> seam;  ///< [cluster] name of a seam that ties it, or empty; empty altogether: not known
+  std::vector<BlockLaw> laws;     ///< one a block
   std::vector<Support> supports;
   std::vector<NodalLoad> loads;
   std::vector<FollowerPressure> pressures;

@@ -30,8 +30,8 @@ struct ForceBalance {
 /// jump, by the way back.
 enum class CriticalPoint {
   none,
-  limit,        ///< the load turned back
-  bifurcation,  ///< the load went on: another path branches off
+  limit,         ///< the load turned back
+  bifurcation,   ///< the load went on: another path branches off
   unclassified,  ///< natural continuation jumps over what lies between its steps
   jump           ///< the path was left for another branch, see the warnings
 };
@@ -42,21 +42,34 @@ struct StepReport {
   int step = 0;            ///< counted over the whole run
   double parameter = 0.0;  ///< of the stage, 0..1
   double load = 0.0, seam = 0.0;
-  int iterations = 0;              ///< Newton iterations since the last accepted step, failed attempts included
-  int cut_backs = 0;               ///< failed attempts since the last accepted step
-  double residual = 0.0;           ///< relative force residual
-  double undamped_residual = 0.0;  ///< the same without the damping force
-  double gap = 0.0;                ///< largest violation of contact, mm
-  double strain_energy = 0.0;      ///< N mm
-  double dissipated = 0.0;         ///< accumulated over the run, N mm
-  double dissipation_ratio = 0.0;  ///< accumulated dissipation over the largest strain energy
-  int negative_pivots = -1;        ///< of the tangent at the accepted state; -1: not known
+  int iterations = 0;                 ///< Newton iterations since the last accepted step, failed attempts included
+  int cut_backs = 0;                  ///< failed attempts since the last accepted step
+  double residual = 0.0;              ///< relative force residual
+  double undamped_residual = 0.0;     ///< the same without the damping force
+  double gap = 0.0;                   ///< largest violation of contact, mm
+  double strain_energy = 0.0;         ///< N mm
+  double stabilisation_energy = 0.0;  ///< part of it that only stabilises reduced elements, N mm
+  double dissipated = 0.0;            ///< accumulated over the run, N mm
+  double dissipation_ratio = 0.0;     ///< accumulated dissipation over the largest strain energy
+  int negative_pivots = -1;           ///< of the tangent at the accepted state; -1: not known
   CriticalPoint critical = CriticalPoint::none;
   int extrapolated = 0;   ///< elements outside the calibrated range of their fabric
   bool undamped = false;  ///< this is the final state of its stage, without damping
   ForceBalance balance;
   double seconds = 0.0;  ///< wall time since the start of the run
 };
+
+/// An iteration of Newton's method, while a step is sought.
+struct IterationReport {
+  std::string stage;
+  double parameter = 0.0;  ///< that is sought, of the stage, 0..1
+  int iteration = 0;       ///< of this attempt
+  int cut_backs = 0;       ///< failed attempts since the last accepted step
+  bool relaxing = false;   ///< the undamped end of the stage is sought
+  double residual = 0.0;   ///< relative force residual
+  double gap = 0.0;        ///< largest violation of contact, mm
+};
+using IterationObserver = std::function<void(const IterationReport&)>;
 
 struct SolveStatistics {
   int newton_iterations = 0;
@@ -79,6 +92,11 @@ class Simulation {
 
   /// Called on every rank after each accepted step.
   void observe(Observer observer);
+  /// Called on every rank after each iteration.
+  void observe_iterations(IterationObserver observer);
+  /// `wanted` is asked on every rank after each iteration: empty, or why the run is to end. Then the stage fails; one
+  /// rank is enough.
+  void stop_when(std::function<std::string()> wanted);
   /// Starts from a configuration that is not in equilibrium; contact forces are estimated from it.
   void set_start(const State& state);
   /// Continues from a converged state with its contact forces (restart).

@@ -14,6 +14,10 @@ namespace toile::solve {
 base::Spec stages_spec();
 std::vector<StageOptions> read_stages(const base::List& list);
 
+/// Finds the nodes and supports of the lists "Until". `list`: the one that `stages` was read from. Throws
+/// base::InputError.
+void find_path_targets(const base::List& list, const Problem& problem, std::vector<StageOptions>& stages);
+
 /// List "Solver".
 base::Spec solver_spec();
 SolverOptions read_solver(const base::List& list);

@@ -1,0 +1,152 @@
+// Stages that cannot reach their end: what is said, and that the run ends by itself.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Failures : public ProgramTest {
+ protected:
+  /// Runs a scene of test/data/cases/failures.
+  Outcome run(const std::string& scene, const std::string& arguments = "", int ranks = 0) const {
+    return toile("run " TOILE_SOURCE_DIR "/test/data/cases/failures/" + scene + ".xml --output out " + arguments,
+                 ranks);
+  }
+};
+
+size_t count(const std::string& text, const std::string& part) {
+  size_t found = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// A sleeve on a cone that nothing holds slides to the thin end: status 3, and the message names the panel, the
+// direction and what would hold it.
+TEST_F(Failures, ConeWithoutSupportSlides) {
+  const Outcome cone = run("cone");
+  EXPECT_EQ(cone.status, 3);
+  EXPECT_THAT(cone.err, AllOf(HasSubstr("panel \"sleeve\": it slides along the body, in the direction ("),
+                              HasSubstr("no support holds it. Hold an end of it along the limb (list \"Supports\")")));
+  EXPECT_THAT(cone.err, Not(AnyOf(HasSubstr("smaller"), HasSubstr("Damping"))));
+}
+
+// A sleeve wider than its body, placed free of stress, compressed on the body, or of a fabric that carries no
+// compression, has neither pressure nor energy, and a warning says that it does not press; or it is refused as loose.
+TEST_F(Failures, SleeveWiderThanTheBodyIsLoose) {
+  for (const char* scene : {"loose", "loose-placed-on-body", "loose-tension-field"}) {
+    const Outcome loose = run(scene);
+    ASSERT_THAT(loose.status, AnyOf(0, 3)) << scene << loose.err;
+    if (loose.status == 3) {
+      EXPECT_THAT(loose.err, AllOf(HasSubstr("Likely cause: the garment is loose, wider than the body"),
+                                   HasSubstr("\"compression\" = \"tension field\"")));
+      continue;
+    }
+    EXPECT_THAT(loose.err, HasSubstr("warning: the garment presses on the body nowhere")) << scene;
+    EXPECT_THAT(summary_line(loose.out, "pressure: "), HasSubstr("0 to 0 kPa")) << scene;
+    EXPECT_LT(std::abs(std::strtod(summary_line(loose.out, "strain energy: ").c_str(), nullptr)), 1e-12) << scene;
+  }
+}
+
+// A seam that is sewn to the wrong side, through the body, is named with its node and distance.
+TEST_F(Failures, SeamThroughTheBodyIsNamed) {
+  const Outcome wrong = run("wrong-seam-side");
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_THAT(wrong.err, AllOf(HasSubstr("the way that a seam closes leads through the body: node "),
+                               HasSubstr("of panel \"front\""), HasSubstr("on the seam \"first side\", starts "),
+                               HasSubstr("Check which edges the seam joins")));
+}
+
+// A garment that a forgotten seam leaves open, and one whose panels start on one side of the body and are sewn to each
+// other there, end by themselves: beside the body, with a warning, or in a failure that says that they are pushed off.
+TEST_F(Failures, GarmentBesideTheBodyPressesNowhere) {
+  for (const char* scene : {"forgotten-seam", "same-angle"}) {
+    const Outcome beside = run(scene);
+    EXPECT_THAT(beside.status, AnyOf(0, 3)) << scene << beside.err;
+    EXPECT_THAT(beside.err, beside.status == 0
+                                ? HasSubstr("warning: the garment presses on the body nowhere: it is wider "
+                                            "than the body, or beside it")
+                                : HasSubstr("it is pushed off the body"))
+        << scene;
+  }
+}
+
+const Edits pattern_in_cm = {{"\"width\" type=\"double\" value=\"200\"", "\"width\" type=\"double\" value=\"20\""},
+                             {"\"height\" type=\"double\" value=\"100\"", "\"height\" type=\"double\" value=\"10\""}};
+
+// A pattern in cm on a body in mm: the stretch of the start is told, with the panel and the units as the likely cause;
+// on several ranks as well.
+TEST_F(Failures, PatternInCentimetres) {
+  write_scene("sleeve", pattern_in_cm);
+  for (const int ranks : {0, 2, 3}) {
+    const Outcome failed = toile("run scene.xml --output out", ranks);
+    EXPECT_EQ(failed.status, 3) << ranks;
+    EXPECT_THAT(failed.err, AllOf(HasSubstr("The fabric has no energy at 720 of 720 points; worst in panel \"sleeve\""),
+                                  HasSubstr("at its start the fabric is stretched further than any garment"),
+                                  HasSubstr("stretch 11 along the wale and 17.9 along the course"),
+                                  HasSubstr("Check that pattern and body are in mm")));
+    EXPECT_EQ(count(failed.err, "Likely cause"), 1u);
+  }
+}
+
+// Inside a step a line is printed when none was for the interval of the heartbeat, by the first rank alone.
+TEST_F(Failures, HeartbeatTellsOfIterations) {
+  write_scene("sleeve");
+  for (const int ranks : {0, 2}) {
+    const Outcome told = toile("run scene.xml --output out --heartbeat 0", ranks);
+    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_THAT(told.out, HasSubstr("[1/2] sew: seeking 0.0 %, iteration 0, residual "));
+    EXPECT_THAT(told.out, HasSubstr("[1/2] sew: seeking the final state, iteration 0, residual "));
+    EXPECT_EQ(count(told.out, "[2/2] settle: seeking the final state, iteration 0, "), 1u);
+  }
+}
+
+// A run that is quiet, or quick, has no such line.
+TEST_F(Failures, HeartbeatIsSilentWhereNotNeeded) {
+  write_scene("sleeve");
+  EXPECT_EQ(toile("run scene.xml --output out --heartbeat 0 --quiet").out, "");
+  EXPECT_THAT(toile("run scene.xml --output out --heartbeat 1e6").out, Not(HasSubstr("seeking")));
+}
+
+/// A strip that takes a thousand steps.
+const Edits long_way = {{"<Parameter name=\"first step\" type=\"double\" value=\"0.25\"/>",
+                         "<Parameter name=\"first step\" type=\"double\" value=\"1e-3\"/>"
+                         "<Parameter name=\"largest step\" type=\"double\" value=\"1e-3\"/>"
+                         "<Parameter name=\"most steps\" type=\"int\" value=\"100000\"/>"}};
+
+// A limit of time ends the stage with status 3; the message names the limit, and the last state is kept.
+TEST_F(Failures, LimitOfTimeEndsTheStage) {
+  write_scene("strip", long_way);
+  std::string text = read("scene.xml");
+  const std::string type = "<Parameter name=\"type\" type=\"string\" value=\"load\"/>";
+  write("scene.xml", text.replace(text.find(type), type.size(),
+                                  type + "<Parameter name=\"most time\" type=\"double\" value=\"0.2\"/>"));
+  const Outcome failed = toile("run scene.xml --output out");
+  EXPECT_EQ(failed.status, 3);
+  EXPECT_THAT(failed.err, AllOf(HasSubstr("stage \"pull\" could not reach its end: it stopped at load 0"),
+                                HasSubstr("because it has taken longer than its \"most time\", 0.2 s"),
+                                Not(HasSubstr("Likely cause"))));
+}
+
+// A run that is asked to end by SIGTERM ends with status 3, says so, and its last state is on disk.
+TEST_F(Failures, SignalEndsTheRun) {
+  write_scene("strip", long_way);
+  write("toile.sh", "'" TOILE_PROGRAM
+                    "' run scene.xml --output out 2> said.txt & run=$!\n"
+                    "while kill -0 $run && ! test -e out/restart.h5; do sleep 0.05; done\n"
+                    "kill -TERM $run; wait $run\n");
+  const int status = std::system(("cd '" + path(".") + "' && sh toile.sh > /dev/null 2>&1").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_THAT(read("said.txt"),
+              AllOf(HasSubstr("because it was asked to end (SIGTERM)"), HasSubstr("The last converged state, step ")));
+}
+
+}  // namespace
+}  // namespace toile::test
