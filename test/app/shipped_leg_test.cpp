@@ -1,4 +1,5 @@
 // The main job of the README, as it is shipped.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -28,7 +29,8 @@ class ShippedLeg : public ProgramTest {
 };
 
 // The file holds what the summary says: the pressure's extremes, and the resultant of the contact forces as the body's
-// force. The pressure, which is recovered from tensions, adds up to the same force but for its error, 0.2 % of it.
+// force. The pressure, which is recovered from tensions, adds up to the same force within 0.2 %, but for the ends:
+// a held row presses the body with a line force too, which is no pressure.
 void ShippedLeg::expect_written_field_is_the_summary(const std::string& out) const {
   double least = 0.0, largest = 0.0;
   std::array<double, 3> reported{};
@@ -51,6 +53,8 @@ void ShippedLeg::expect_written_field_is_the_summary(const std::string& out) con
     if (pressure[n] > 0.0) written_least = std::min(written_least, pressure[n]);
     written_largest = std::max(written_largest, pressure[n]);
     for (size_t d = 0; d < 3; ++d) resultant[d] += force[n] * normal[d][n];
+    constexpr double ends[2] = {100.0, 740.0};  // mm, heights of the held rows
+    if (std::min(std::abs(last.position[2][n] - ends[0]), std::abs(last.position[2][n] - ends[1])) < 1e-3) continue;
     forces += force[n];
     pressures += 1e-3 * pressure[n] * area[n];  // kPa mm^2 to N
   }

@@ -170,6 +170,10 @@ TEST(Recovery, BridgesANodeThatTiltLifts) {
   EXPECT_EQ(recovery.bridged, 0);
   EXPECT_EQ(recovery.site[static_cast<size_t>(Patch::node(4, 3))].pressure, 0.0);
   lifted.surface.hessian = convex;
+  lifted.fixed = true;  // its support keeps it off the body
+  recovery = contact::recover(patch);
+  EXPECT_EQ(recovery.bridged, 0);
+  lifted.fixed = false;
   lifted.surface.gap = 1.0;  // far more than 5 mm chords sag
   recovery = contact::recover(patch);
   EXPECT_EQ(recovery.bridged, 0);

@@ -112,7 +112,7 @@ std::vector<std::vector<int>> Recoverer::clusters_around() const {
 bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const {
   const ContactCluster& cluster = fabric_.clusters[c];
   const double gap = cluster.surface.gap - cluster.offset;
-  if (!cluster.surface.found || gap < 0.0) return false;
+  if (!cluster.surface.found || cluster.fixed || gap < 0.0) return false;
   double squared = 0.0;
   for (const int n : neighbours)
     squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
