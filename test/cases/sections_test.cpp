@@ -18,22 +18,26 @@ using Rows = std::map<std::string, std::map<std::string, std::string>>;
 
 class Sections : public ProgramTest {
  protected:
+  static std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
+    return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+  }
+  static std::string real(const std::string& name, double value) {
+    return parameter(name, "double", std::to_string(value));
+  }
+  static std::string list(const std::string& name, const std::string& content) {
+    return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>";
+  }
+
   static std::string sleeve(const std::string& name, double wale, const std::string& axis, double offset,
                             double angle) {
-    std::ostringstream text;
-    text << "<ParameterList name=\"" << name << R"("><Parameter name="material" type="string" value="fabric"/>
-      <Parameter name="shape" type="string" value="rectangle"/><Parameter name="width" type="double" value="250"/>
-      <Parameter name="height" type="double" value="100"/><Parameter name="elements across" type="int" value="40"/>
-      <Parameter name="elements along" type="int" value="10"/><Parameter name="wale angle" type="double" value=")"
-         << wale << R"("/><ParameterList name="Placement"><Parameter name="type" type="string" value="wrap"/>
-      <Parameter name="axis bottom" type="Array(double)" value =
-        "{)" << axis << R"(, 0, 0}"/><Parameter name="axis top" type="Array(double)" value =
-            "{)" << axis << R"(, 0, 1}"/>
-      <Parameter name="from" type="double" value="60"/><Parameter name="to" type="double" value="150"/>
-      <Parameter name="coverage" type="double" value="0.97"/><Parameter name="offset" type="double" value=")"
-                 << offset << "\"/><Parameter name=\"angle\" type=\"double\" value=\"" << angle
-                 << "\"/></ParameterList></ParameterList>";
-    return text.str();
+    return list(name, parameter("material", "string", "fabric") + parameter("shape", "string", "rectangle") +
+                          real("width", 250.0) + real("height", 100.0) + parameter("elements across", "int", "40") +
+                          parameter("elements along", "int", "10") + real("wale angle", wale) +
+                          list("Placement", parameter("type", "string", "wrap") +
+                                                parameter("axis bottom", "Array(double)", "{" + axis + ", 0, 0}") +
+                                                parameter("axis top", "Array(double)", "{" + axis + ", 0, 1}") +
+                                                real("from", 60.0) + real("to", 150.0) + real("coverage", 0.97) +
+                                                real("offset", offset) + real("angle", angle)));
   }
 
   /// A scene with the panels of these names. `output`: what stands in Output beside the level "middle".
@@ -45,24 +49,19 @@ class Sections : public ProgramTest {
                ".left\"/><Parameter name=\"second\" type=\"string\" value=\"" + name + ".right\"/></ParameterList>";
       bottoms += (bottoms.empty() ? "" : ", ") + name + ".bottom";
     }
-    write("scene.xml", R"(<ParameterList name="scene"><ParameterList name="Body">)" + body +
-                           R"(</ParameterList><ParameterList name="Materials"><ParameterList name="fabric">
-      <Parameter name="type" type="string" value="neo-hookean"/><Parameter name="C10" type="double" value="0.05"/>
-      <Parameter name="thickness" type="double" value="0.5"/></ParameterList></ParameterList>
-      <ParameterList name="Panels">)" +
-                           panels + "</ParameterList><ParameterList name=\"Seams\">" + seams +
-                           R"(</ParameterList><ParameterList name="Supports"><ParameterList name="lower end">
-      <Parameter name="on" type="Array(string)" value =
-                           "{)" + bottoms +
-                           R"(}"/><Parameter name="hold" type="string" value="z"/></ParameterList></ParameterList>
-      <ParameterList name="Contact"><Parameter name="contact surface" type="string" value="mid-surface"/></ParameterList>
-      <ParameterList name="Stages"><ParameterList name="sew"><Parameter name="type" type="string" value="sew"/>
-      <ParameterList name="Damping"/></ParameterList><ParameterList name="settle">
-      <Parameter name="type" type="string" value="settle"/></ParameterList></ParameterList>
-      <ParameterList name="Output">)" +
-                           output + R"(<ParameterList name="Levels"><ParameterList name="middle">
-      <Parameter name="height" type="double" value="100"/></ParameterList></ParameterList></ParameterList>)" +
-                           more + "</ParameterList>");
+    const std::string sew = list("sew", parameter("type", "string", "sew") + list("Damping", "")),
+                      settle = list("settle", parameter("type", "string", "settle"));
+    write(
+        "scene.xml",
+        list("scene",
+             list("Body", body) +
+                 list("Materials", list("fabric", parameter("type", "string", "neo-hookean") + real("C10", 0.05) +
+                                                      real("thickness", 0.5))) +
+                 list("Panels", panels) + list("Seams", seams) +
+                 list("Supports", list("lower end", parameter("on", "Array(string)", "{" + bottoms + "}") +
+                                                        parameter("hold", "string", "z"))) +
+                 list("Contact", parameter("contact surface", "string", "mid-surface")) + list("Stages", sew + settle) +
+                 list("Output", output + list("Levels", list("middle", parameter("height", "double", "100")))) + more));
   }
   void write_one(double wale, const std::string& output = "", const std::string& more = "") const {
     write_sleeves(cylinder, sleeve("sleeve", wale, "0", 0.3, 0.0), {"sleeve"}, output, more);
@@ -146,7 +145,8 @@ TEST_F(Sections, LegsHaveARowEach) {
       }
   write("legs.obj", body.str());
   write_sleeves(R"(<Parameter name="type" type="string" value="file"/>
-                   <Parameter name="file" type="string" value="legs.obj"/><ParameterList name="Reach">
+                   <Parameter name="file" type="string" value="legs.obj"/>
+                   <Parameter name="closed" type="bool" value="false"/><ParameterList name="Reach">
                    <Parameter name="bottom" type="double" value="40"/><Parameter name="top" type="double" value="170"/>
                    </ParameterList>)",
                 sleeve("right", 90.0, "-100", 0.3, 0.0) + sleeve("left", 90.0, "100", 0.3, 0.0), {"right", "left"},

@@ -150,16 +150,30 @@ void Cutter::find_ends(const Axis& axis) {
       samples.push_back(axis.bent(heights.back()));
     }
   }
-  lowest_ = std::numeric_limits<double>::infinity();
-  highest_ = -lowest_;
   for (const Vec3& vertex : surface_.mesh.vertices) {
     const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const AxisPlace& a, const AxisPlace& b) {
       return (a.point - vertex).squaredNorm() < (b.point - vertex).squaredNorm();
     });
-    const double height =
-        heights[static_cast<std::size_t>(nearest - samples.begin())] + nearest->direction.dot(vertex - nearest->point);
-    lowest_ = std::min(lowest_, height);
-    highest_ = std::max(highest_, height);
+    heights_.push_back(heights[static_cast<std::size_t>(nearest - samples.begin())] +
+                       nearest->direction.dot(vertex - nearest->point));
+  }
+  refine_ends();
+  lowest_ = *std::min_element(heights_.begin(), heights_.end());
+  highest_ = *std::max_element(heights_.begin(), heights_.end());
+}
+
+/// Along a bent axis the heights so far are those along its tangents at the samples; near the ends they must be exact.
+void Cutter::refine_ends() {
+  if (!axis_.bent) return;
+  const auto [lowest, highest] = std::minmax_element(heights_.begin(), heights_.end());
+  const double near = 0.1 * (*highest - *lowest), lower = *lowest + near, upper = *highest - near;
+  for (std::size_t v = 0; v < heights_.size(); ++v) {
+    double change = near;
+    for (int k = 0; k < 50 && (heights_[v] < lower || heights_[v] > upper) && std::abs(change) > 1e-9 * near; ++k) {
+      const AxisPlace there = axis_.bent(heights_[v]);
+      change = there.direction.dot(surface_.mesh.vertices[v] - there.point);
+      heights_[v] += change;
+    }
   }
 }
 

@@ -49,6 +49,7 @@ class Cutter {
   /// at the lower one, which counts as below.
   std::vector<double> above(double height, const AxisPlace& axis) const;
   void find_ends(const Axis& axis);
+  void refine_ends();
   Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const;
   void add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
 
@@ -58,6 +59,7 @@ class Cutter {
   std::vector<int> tied_;         ///< [vertex]
   std::vector<double> pressure_;  ///< [vertex]
   std::vector<double> error_;     ///< [vertex]
+  std::vector<double> heights_;   ///< [vertex] along the axis
   double lowest_ = 0.0, highest_ = 0.0;
 };
 
