@@ -175,7 +175,8 @@ double Recoverer::load(int site) const {
     const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
     for (int q = 0; q < element.points; ++q) {
       const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
-      sum += point.area * element.load * point.normal.dot(cluster(site).surface.normal);
+      const bool outwards = point.normal.dot(cluster(site).surface.normal) > 0.0;
+      sum += point.area * (outwards ? element.load : -element.load);
       area += point.area;
     }
   }
