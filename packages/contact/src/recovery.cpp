@@ -112,7 +112,7 @@ std::vector<std::vector<int>> Recoverer::clusters_around() const {
 bool Recoverer::hovers_by_a_sag(size_t c, const std::vector<int>& neighbours) const {
   const ContactCluster& cluster = fabric_.clusters[c];
   const double gap = cluster.surface.gap - cluster.offset;
-  if (!cluster.surface.found || gap < 0.0) return false;
+  if (!cluster.surface.found || cluster.fixed || gap < 0.0) return false;
   double squared = 0.0;
   for (const int n : neighbours)
     squared = std::max(squared, (cluster.position - fabric_.clusters[static_cast<size_t>(n)].position).squaredNorm());
@@ -175,7 +175,8 @@ double Recoverer::load(int site) const {
     const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
     for (int q = 0; q < element.points; ++q) {
       const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
-      sum += point.area * element.load * point.normal.dot(cluster(site).surface.normal);
+      const bool outwards = point.normal.dot(cluster(site).surface.normal) > 0.0;
+      sum += point.area * (outwards ? element.load : -element.load);
       area += point.area;
     }
   }

@@ -69,7 +69,7 @@ class Collector {
   std::vector<size_t> piece_;                      ///< [block]
   std::vector<int> cluster_of_;                    ///< [node] of fabric_
   std::vector<int> site_of_;                       ///< [node]
-  std::vector<bool> held_;                         ///< [node] in some direction
+  std::vector<int> held_;                          ///< [node] largest number of directions of a support
   std::map<std::pair<size_t, int>, int> site_at_;  ///< by piece and cluster
   contact::FabricInContact fabric_;
 };
@@ -78,10 +78,11 @@ class Collector {
 void Collector::add_clusters() {
   cluster_of_.resize(static_cast<size_t>(problem_.mesh->nodes()));
   site_of_.assign(cluster_of_.size(), -1);
-  held_.assign(cluster_of_.size(), false);
-  for (const Support& support : problem_.supports)
-    for (const int n : support.nodes)
-      held_[n] = held_[n] || std::find(support.held.begin(), support.held.end(), true) != support.held.end();
+  held_.assign(cluster_of_.size(), 0);
+  for (const Support& support : problem_.supports) {
+    const auto directions = std::count(support.held.begin(), support.held.end(), true);
+    for (const int n : support.nodes) held_[n] = std::max(held_[n], static_cast<int>(directions));
+  }
   for (size_t c = 0; c < problem_.clusters.size(); ++c) {
     const std::vector<int>& nodes = problem_.clusters[c];
     if (state_.seam == 1.0 || nodes.size() == 1) {
@@ -101,7 +102,8 @@ void Collector::add_cluster(const std::vector<int>& nodes, double offset, double
   for (const int n : nodes) {
     cluster_of_[n] = static_cast<int>(fabric_.clusters.size());
     cluster.area += fields_.area[n];
-    cluster.held = cluster.held || held_[n];
+    cluster.held = cluster.held || held_[n] > 0;
+    cluster.fixed = cluster.fixed || held_[n] == 3;
   }
   fabric_.clusters.push_back(cluster);
 }

@@ -41,6 +41,7 @@ struct ContactCluster {
   double force = 0.0;            ///< of contact, N
   /// A support takes a part of what the fabric presses, which is no contact force: being at the body is contact then.
   bool held = false;
+  bool fixed = false;  ///< held in all directions: where it hovers, its support keeps it off the body
 
   /// In contact.
   bool touches() const {
