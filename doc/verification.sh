@@ -29,6 +29,9 @@ section() {  # title, text, test and its arguments
   section "Pressure where more happens" \
     "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \
     contact_variety_test
+  section "The shipped leg" \
+    "Mean pressure at the hosiery levels over three meshes, of which the last is the shipped one, against a spectral solution that was computed without Toile (test/data/contact/leg_reference.py)." \
+    leg_reference_test
   section "Lift-off at a waist" "Where the sleeve leaves the body (reference in brackets), its radius in the middle, and the pressure two elements away from lift-off." \
     contact_waist_test
   section "Real body and parametric leg" "Pressure noise at facet wavelength on the thigh of a body of a real shape, below the mean edge length there, with cell, smoothing and reach chosen by the program; and the balance of the written field." \

@@ -19,7 +19,8 @@ std::vector<double> level_row(const std::string& csv, const std::string& level) 
   if (at == std::string::npos) return {};
   std::istringstream row(csv.substr(at + level.size() + 2, csv.find('\n', at + 1) - at - level.size() - 2));
   std::vector<double> values;
-  for (std::string cell; std::getline(row, cell, ',');) values.push_back(cell.empty() ? NAN : std::strtod(cell.c_str(), nullptr));
+  for (std::string cell; std::getline(row, cell, ',');)
+    values.push_back(cell.empty() ? NAN : std::strtod(cell.c_str(), nullptr));
   return values;
 }
 

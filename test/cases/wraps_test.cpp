@@ -121,10 +121,10 @@ std::string array(const std::string& name, const std::string& values) {
 }
 
 std::string hems(const std::string& hold) {
-  return R"(<ParameterList name="Supports"><ParameterList name="ends">
-    <Parameter name="on" type="Array(string)" value = "{sleeve.bottom, sleeve.top}" / > < Parameter name = "hold" type =
-                                                          "string" value =
-                                                              ")" + hold + "\"/></ParameterList></ParameterList>\n";
+  return R"xml(<ParameterList name="Supports"><ParameterList name="ends">
+    <Parameter name="on" type="Array(string)" value="{sleeve.bottom, sleeve.top}"/>
+    <Parameter name="hold" type="string" value=")xml" +
+         hold + "\"/></ParameterList></ParameterList>\n";
 }
 
 const std::string straight_axis = array("axis bottom", "0, 0, 0") + array("axis top", "0, 0, 1");

@@ -203,8 +203,10 @@ TEST(BentWrap, FreeWrapMakesARing) {
   placement.remove("offset");
   const Knee knee;
   const mesh::Mesh mesh = build(panels, nullptr);
+  // The moving average over a side of the polygon cuts each of its corners by this.
+  const double half_corner = 0.5 * 3.0 * M_PI / 180.0, cut = bend * std::pow(std::sin(half_corner), 2);
   for (int n = 0; n < mesh.nodes(); ++n) {
-    EXPECT_NEAR(knee.closest(mesh.placed[n]).gap, 0.0, 0.05);
+    EXPECT_NEAR(knee.closest(mesh.placed[n]).gap, 0.0, 1.01 * cut);
     EXPECT_NEAR((mesh.normal[n] - knee.closest(mesh.placed[n]).normal).norm(), 0.0, 0.03);
   }
 }

@@ -59,14 +59,14 @@ TEST(CurvedHem, IsRolledWithoutStrain) {
   }
 }
 
-// On a body the neckline keeps its height differences, and the panel at its natural width is unstretched (with every row level it was
-// stretched to 2.2).
+// On a body the neckline keeps its height differences, and the panel at its natural width is unstretched (with every
+// row level it was stretched to 2.2).
 TEST(CurvedHem, KeepsItsHeightsOnABody) {
   const test::EllipticCylinder body(150.0, 110.0);
   const mesh::Mesh mesh = build(top_of_a_shirt("wrap"), &body);
   for (int n = 0; n < mesh.nodes(); ++n) {
     EXPECT_NEAR(mesh.placed[n].z(), 1142.0 + mesh.pattern[n].y(), 1e-9);
-    EXPECT_NEAR(body.closest(mesh.placed[n]).gap, 0.0, 1.5e-5);
+    EXPECT_NEAR(body.closest(mesh.placed[n]).gap, 0.0, 4e-5);
   }
   EXPECT_LT(largest_strain(mesh), 3e-3);
 }

@@ -136,7 +136,7 @@ TEST(Direction, ContradictionsNameBothSupports) {
   add_support(scene, "other", "tube.top-left");
   support(scene, "other").set("hold", std::string("direction")).set("direction", reals({0, 2, 2}));
   EXPECT_THAT(input_error(scene),
-              HasSubstr("scene > Supports > other: parameter \"move along\" = 0: contradicts support "
+              HasSubstr("scene > Supports > other: parameter \"move along\" = 0 (default): contradicts support "
                         "\"hem\": both hold the node at (0, 100, 0) mm along (0, 0.707107, 0.707107), "
                         "but \"other\" moves it by 0 mm and \"hem\" by 3 mm"));
   support(scene, "other").set("direction", reals({0, 1, 1.01}));

@@ -227,10 +227,12 @@ TEST(AlongTheLimb, AHemOnAConeCarriesTheAxialForceOfThePressure) {
   EXPECT_LT(balance.sum().norm(), 1e-8 * balance.magnitude);
   // The force along the cone has no part across it: radially, the nodes' forces are 1/5 of the axial ones.
   const solve::Fields fields = compute_fields(sleeve.problem, r.simulation.state());
-  double contact_axial = 0.0;
+  EXPECT_NEAR(contact_resultant(fields).z(), -axial, 1e-8 * std::abs(axial));
+  // The pressure is recovered from tensions: its sum agrees within its error, 0.15 %.
+  double pressed = 0.0;
   for (size_t n = 0; n < fields.pressure.size(); ++n)
-    contact_axial += fields.pressure[n] * fields.area[n] * fields.normal[n].z();
-  EXPECT_NEAR(contact_axial, -axial, 1e-8 * std::abs(axial));
+    pressed += fields.pressure[n] * fields.area[n] * fields.normal[n].z();
+  EXPECT_NEAR(pressed, -axial, 4e-3 * std::abs(axial));
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ BentAxis::BentAxis(std::vector<Vec3> points, double smoothing) : points_(std::mo
     start_.push_back(start_.back() + step.norm());
     sum_.push_back(sum_.back() + 0.5 * step.norm() * (points_[k] + points_[k + 1]));
   }
+  for (const double start : start_) kinks_.insert(kinks_.end(), {start - window_, start + window_});
+  std::sort(kinks_.begin(), kinks_.end());
   // Beyond the window outside of both ends the axis is straight.
   first_ = -window_;
   const double range = start_.back() + 2.0 * window_;
@@ -72,7 +74,15 @@ Vec3 BentAxis::derivative(double t) const {
 }
 
 double BentAxis::arc_between(double from, double to) const {
-  return gauss_integral([this](double t) { return derivative(t).norm(); }, from, to);
+  const auto speed = [this](double t) { return derivative(t).norm(); };
+  double length = 0.0;
+  // The speed has a kink wherever an end of the window passes a point of the polyline.
+  for (const double kink : kinks_) {
+    if (kink <= from || kink >= to) continue;
+    length += gauss_integral(speed, from, kink);
+    from = kink;
+  }
+  return length + gauss_integral(speed, from, to);
 }
 
 double BentAxis::parameter(double arc) const {

@@ -86,8 +86,8 @@ std::vector<double> read_numbers(const std::string& text) {
     if (error != std::errc() || !std::isfinite(value)) return {};
     numbers.push_back(value);
     next = stop;
-    skip_blanks();
     if (next == end) return numbers;
+    skip_blanks();
     if (*next != ',' && next == stop) return {};
     if (*next == ',') ++next;
     skip_blanks();

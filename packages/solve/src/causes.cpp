@@ -1,4 +1,5 @@
 // Why a stage fails, as far as the state that it failed in tells.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -81,16 +82,30 @@ struct Push {
   double facing = 0.0;        ///< mean square of the cosine between the force and the body's normals
 };
 
+/// Part of a force along the directions that not even one node's support holds.
+Vec3 part_along_free(const Eigen::Matrix3d& held_directions, const Vec3& force) {
+  constexpr double less_than_a_node = 0.5;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> held(held_directions);
+  Vec3 free = Vec3::Zero();
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (held.eigenvalues()[k] < less_than_a_node)
+      free += held.eigenvectors().col(k).dot(force) * held.eigenvectors().col(k);
+  return free;
+}
+
 Push push_of(const Failure& failure, const std::vector<int>& part, const std::vector<Vec3>& loads) {
   const Problem& problem = failure.problem;
   const State& state = failure.stepped ? failure.last : failure.left.state;
   Push push;
-  Vec3 free = Vec3::Ones();
+  Eigen::Matrix3d held_directions = Eigen::Matrix3d::Zero();  // sum of n n^T
   double pressed = 0.0;
   std::vector<std::pair<double, Vec3>> contacts;
   for (const int c : part) {
     for (Eigen::Index i = 0; i < 3; ++i)
-      if (const HeldComponent& held = failure.held.position[c][i]; held.held && held.support >= 0) free[i] = 0.0;
+      if (const HeldComponent& held = failure.held.position[c][i]; held.held && held.support >= 0) {
+        const Vec3 direction = failure.held.direction(c, i);
+        held_directions += direction * direction.transpose();
+      }
     push.moved += (failure.left.state.position[c] - failure.start.position[c]) / static_cast<double>(part.size());
     push.force += loads[c];
     push.magnitude += loads[c].norm();
@@ -103,7 +118,7 @@ Push push_of(const Failure& failure, const std::vector<int>& part, const std::ve
     pressed += contacts.back().first;
   }
   push.magnitude += pressed;
-  push.force = push.force.cwiseProduct(free);
+  push.force = part_along_free(held_directions, push.force);
   const double size = push.force.norm();
   for (const auto& [force, normal] : contacts)
     if (size > 0.0) push.facing += force / pressed * std::pow(normal.dot(push.force) / size, 2);

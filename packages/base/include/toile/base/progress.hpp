@@ -23,8 +23,8 @@ struct ProgressPoint {
 };
 
 /// Estimates when the path of a stage reaches its end, from the steps that it has taken: the time that a unit of the
-/// stage's parameter takes, growing on as it grew from the first to the second half of the way so far. What follows (the
-/// final state, later stages) is not in it: nothing is known of it. A step that has to be cut back upsets it.
+/// stage's parameter takes, growing on as it grew from the first to the second half of the way so far. What follows
+/// (the final state, later stages) is not in it: nothing is known of it. A step that has to be cut back upsets it.
 class PathClock {
  public:
   /// A stage starts now; `seconds` on any clock.

@@ -39,6 +39,7 @@ class BentAxis {
 
   std::vector<Vec3> points_, directions_;  ///< [segment] unit
   std::vector<double> start_;              ///< [point] t
+  std::vector<double> kinks_;              ///< increasing t at which the speed has a kink
   std::vector<Vec3> sum_;                  ///< [point] primitive
   double window_;
   double first_ = 0.0, step_ = 0.0;       ///< t of the first sample and between two

@@ -19,7 +19,8 @@ struct FoundNodes {
 /// - a place on an edge, "front.left@0.5": the one node nearest to this relative arc length in the pattern;
 /// - a place in a panel, "front@0.5,0.25": the one node in the column of elements that starts nearest to the first
 ///   number along "front.bottom" and in the row that starts nearest to the second along "front.left".
-/// - a point of a panel's pattern, "front@(12.5,40)": the one node nearest to it (mm), not further away than the longest
+/// - a point of a panel's pattern, "front@(12.5,40)": the one node nearest to it (mm), not further away than the
+/// longest
 ///   side of an element.
 /// Numbers may be separated by blanks as well. Of two nodes that are equally near the first one is taken.
 FoundNodes find_nodes(const Mesh& mesh, const std::string& name);
