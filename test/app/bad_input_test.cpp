@@ -299,7 +299,7 @@ TEST_F(BadInput, DiaphragmWithoutItsPlane) {
   write_scene("strip", {{hold, hold + parameter("director", "string", "diaphragm")}});
   expect_refused(
       "scene > Supports > plane: parameter \"director\" = \"diaphragm\": \"diaphragm\" needs the two held directions "
-      "of its plane (xy, xz or yz), but \"hold\" is \"z\"");
+      "of its plane (xy, xz, yz or across direction), but \"hold\" is \"z\"");
 }
 TEST_F(BadInput, DiaphragmInThePlaneOfThePanel) {
   const std::string along = parameter("elements along", "int", "10");

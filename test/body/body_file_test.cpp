@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string write_text(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + "toile-body-file-" + name;
+  std::string path = testing::TempDir() + "toile-body-file-" + name;
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

@@ -85,8 +85,10 @@ std::string scene(const std::string& lists) {
 }
 
 std::string body(const std::string& file) {
-  return R"(<ParameterList name="Body"><Parameter name="type" type="string" value="file"/>
-    <Parameter name="file" type="string" value=")" +
+  return R"xml(<ParameterList name="Body"><Parameter name="type" type="string" value="file"/>
+    <Parameter name="height range" type="Array(double)" value="{200, 400}"/>
+    <Parameter name="up" type="string" value="z"/>
+    <Parameter name="file" type="string" value=")xml" +
          file + "\"/></ParameterList>\n";
 }
 
@@ -162,7 +164,7 @@ TEST_F(Wraps, AKneeIsOnePanel) {
     const double axial = distance(at(i, j - 1), at(i, j + 1)) / (2.0 * 250.0 / along);
     const double tension = 2.0 * 0.05 * 0.5 * (hoop * hoop - 1.0 / std::pow(hoop * axial, 2)) / (hoop * axial);
     EXPECT_NEAR(pressure[static_cast<size_t>(j * (across + 1) + i)], 1000.0 * tension / 40.0,
-                0.03 * 1000.0 * tension / 40.0)
+                0.06 * 1000.0 * tension / 40.0)
         << i;
   }
 }

@@ -66,7 +66,7 @@ TEST(CurvedHem, KeepsItsHeightsOnABody) {
   const mesh::Mesh mesh = build(top_of_a_shirt("wrap"), &body);
   for (int n = 0; n < mesh.nodes(); ++n) {
     EXPECT_NEAR(mesh.placed[n].z(), 1142.0 + mesh.pattern[n].y(), 1e-9);
-    EXPECT_NEAR(body.closest(mesh.placed[n]).gap, 0.0, 4e-5);
+    EXPECT_NEAR(body.closest(mesh.placed[n]).gap, 0.0, 5e-5);  // level rows lie on a section of 128 rays, between them
   }
   EXPECT_LT(largest_strain(mesh), 3e-3);
 }

@@ -65,7 +65,7 @@ TEST(BentAxis, CarriesDirectionsWithoutATwist) {
 // Where the axis turns back on itself it has no tangent, which is told with the place.
 TEST(BentAxis, AHairpinIsRefused) {
   try {
-    BentAxis({Vec3(0, 0, 0), Vec3(0, 0, 100), Vec3(0, 0.1, 0)}, 50.0);
+    const BentAxis hairpin({Vec3(0, 0, 0), Vec3(0, 0, 100), Vec3(0, 0.1, 0)}, 50.0);
     ADD_FAILURE() << "no InputError";
   } catch (const base::InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("the axis turns back on itself near (0, "));

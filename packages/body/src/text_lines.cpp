@@ -120,7 +120,7 @@ void TextLines::fail(const std::string& what) const {
 }
 
 Vec3 TextLines::point(std::size_t first_word) const {
-  const Vec3 point(real(first_word), real(first_word + 1), real(first_word + 2));
+  Vec3 point(real(first_word), real(first_word + 1), real(first_word + 2));
   check_coordinates(point, where());
   return point;
 }

@@ -35,6 +35,9 @@ class Recoverer {
  private:
   int cluster_of(int site) const { return fabric_.site_cluster[static_cast<size_t>(site)]; }
   const ContactCluster& cluster(int site) const { return fabric_.clusters[static_cast<size_t>(cluster_of(site))]; }
+  const TensionPoint& point_of(const FabricElement& element, int q) const {
+    return fabric_.points[static_cast<size_t>(element.first_point) + static_cast<size_t>(q)];
+  }
   Place place(int site) const { return place_[static_cast<size_t>(cluster_of(site))]; }
   bool touches(int site) const { return place(site) != Place::free; }
 
@@ -147,7 +150,7 @@ std::vector<double> Recoverer::untilted() const {
   for (size_t c = 0; c < place_.size(); ++c) force[c] = fabric_.clusters[c].force;
   for (const FabricElement& element : fabric_.elements)
     for (int q = 0; q < element.points; ++q) {
-      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      const TensionPoint& point = point_of(element, q);
       for (int i = 0; i < element.nodes; ++i)
         force[static_cast<size_t>(cluster_of(element.site[static_cast<size_t>(i)]))] -=
             point.force[static_cast<size_t>(i)].dot(point.body_normal);
@@ -174,7 +177,7 @@ double Recoverer::load(int site) const {
   for (const int e : patches_.at(site)) {
     const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
     for (int q = 0; q < element.points; ++q) {
-      const TensionPoint& point = fabric_.points[static_cast<size_t>(element.first_point + q)];
+      const TensionPoint& point = point_of(element, q);
       const bool outwards = point.normal.dot(cluster(site).surface.normal) > 0.0;
       sum += point.area * (outwards ? element.load : -element.load);
       area += point.area;
@@ -191,8 +194,7 @@ void Recoverer::average_errors() {
   for (size_t s = 0; s < square.size(); ++s) square[s] = out_.site[s].error * out_.site[s].error;
   std::vector<double> area(fabric_.elements.size(), 0.0);
   for (size_t e = 0; e < area.size(); ++e)
-    for (int q = 0; q < fabric_.elements[e].points; ++q)
-      area[e] += fabric_.points[static_cast<size_t>(fabric_.elements[e].first_point + q)].area;
+    for (int q = 0; q < fabric_.elements[e].points; ++q) area[e] += point_of(fabric_.elements[e], q).area;
   for (int pass = 0; pass < passes; ++pass) {
     sum.assign(square.size(), 0.0);
     weight.assign(square.size(), 0.0);

@@ -76,7 +76,8 @@ std::optional<double> fitted_pressure(const FabricInContact& fabric, const std::
   const auto for_points = [&](const auto& use) {
     for (const int e : patch) {
       const FabricElement& element = fabric.elements[static_cast<size_t>(e)];
-      for (int q = 0; q < element.points; ++q) use(fabric.points[static_cast<size_t>(element.first_point + q)]);
+      for (int q = 0; q < element.points; ++q)
+        use(fabric.points[static_cast<size_t>(element.first_point) + static_cast<size_t>(q)]);
     }
   };
   double squares = 0.0, area = 0.0;

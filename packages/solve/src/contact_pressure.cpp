@@ -142,7 +142,7 @@ std::vector<contact::Laid> Collector::laid(size_t b, const element::PointTension
     }
     for (int q = 0; q < element.points; ++q) {
       const double* x = &tensions.position[3 * laid.size()];
-      const double* shape = &tensions.shape[static_cast<size_t>(q * element.nodes)];
+      const double* shape = &tensions.shape[static_cast<size_t>(q) * static_cast<size_t>(element.nodes)];
       laid.push_back(touches ? contact::laid_on(element, {x[0], x[1], x[2]}, shape, nodes) : contact::Laid());
     }
   }

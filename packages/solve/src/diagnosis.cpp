@@ -11,7 +11,7 @@ namespace toile::solve {
 
 namespace {
 
-std::string number(double x) {
+std::string digits(double x) {
   std::ostringstream out;
   out.precision(3);
   out << x;
@@ -22,7 +22,7 @@ std::string number(double x) {
 std::string attempt_text(const Failure& failure) {
   if (failure.relaxing) return "The last attempt at its undamped end";
   if (!failure.stepped) return "The attempt at its start, before any step,";
-  return "The last attempt, a step of " + number(failure.left.s - failure.reached) + ",";
+  return "The last attempt, a step of " + digits(failure.left.s - failure.reached) + ",";
 }
 
 /// How Newton's method ended.
@@ -56,17 +56,17 @@ std::string force_text(const Failure& failure) {
   const Remainder& left = failure.left;
   if (left.total.relative() <= failure.newton.tolerance) return {};
   const size_t worst = largest(left.force.size(), [&](size_t c) { return left.force[c].norm(); });
-  return " The forces do not balance: their residual is " + number(left.total.relative()) +
-         " of the nodal forces (tolerance " + number(failure.newton.tolerance) + "); worst at " +
-         node_text(failure.problem, left.state, worst) + ", by " + number(left.force[worst].norm()) + " N.";
+  return " The forces do not balance: their residual is " + digits(left.total.relative()) +
+         " of the nodal forces (tolerance " + digits(failure.newton.tolerance) + "); worst at " +
+         node_text(failure.problem, left.state, worst) + ", by " + digits(left.force[worst].norm()) + " N.";
 }
 
 std::string gap_text(const Failure& failure) {
   const Remainder& left = failure.left;
   if (left.total.gap <= failure.newton.gap_tolerance) return {};
   const size_t worst = largest(left.opening.size(), [&](size_t c) { return left.opening[c]; });
-  return " Contact is violated by " + number(left.total.gap) + " mm (tolerance " +
-         number(failure.newton.gap_tolerance) + " mm); worst at " + node_text(failure.problem, left.state, worst) + ".";
+  return " Contact is violated by " + digits(left.total.gap) + " mm (tolerance " +
+         digits(failure.newton.gap_tolerance) + " mm); worst at " + node_text(failure.problem, left.state, worst) + ".";
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::string what_failed(const Failure& failure) {
 
 std::string likely_cause(const Failure& failure) {
   for (const Cause cause : causes()) {
-    const std::string text = cause(failure);
+    std::string text = cause(failure);
     if (!text.empty()) return text;
   }
   return {};
