@@ -18,5 +18,8 @@ TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
 TriangleTree::Hit TriangleTree::closest(const Vec3&) const {
   return {};
 }
+std::vector<TriangleTree::Hit> TriangleTree::crossings(const Vec3&, const Vec3&) const {
+  return {};
+}
 
 }  // namespace toile::body
