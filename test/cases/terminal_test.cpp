@@ -14,6 +14,14 @@ using ::testing::Not;
 
 using Terminal = ProgramTest;
 
+std::string pulled_along(const std::string& direction, int by) {
+  return R"xml(name="hold" type="string" value="direction"/>
+      <Parameter name="direction" type="Array(double)" value=")xml" +
+         direction + R"xml("/>
+      <Parameter name="move along" type="double" value=")xml" +
+         std::to_string(by) + "\"/>";
+}
+
 /// Cells of the last row of a table.
 std::vector<std::string> last_row(const std::string& text) {
   std::istringstream lines(text);
@@ -97,6 +105,26 @@ TEST_F(Terminal, DistancesHaveATableOfTheirOwn) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(read("out/distances.csv"), ::testing::StartsWith("step,load,length [mm]\n"));
   EXPECT_NEAR(std::stod(last_row(read("out/distances.csv")).at(2)), 120.0, 1e-9);
+}
+
+// The force of a support that moves along a direction is the reaction along that direction, whatever its axes: a strip
+// pulled along y has the force curve of one that is moved by the same way, and so has one whose direction looks back.
+TEST_F(Terminal, ForceCurvesOfDirectionsAreTheirReactions) {
+  const std::string held = R"xml(name="hold" type="string" value="xyz"/>
+      <Parameter name="move by" type="Array(double)" value="{0, 20, 0}"/>)xml";
+  const std::string along_y = R"xml(name="hold" type="string" value="y"/>
+      <Parameter name="move by" type="Array(double)" value="{0, 20, 0}"/>)xml";
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& support : {along_y, pulled_along("{0, 1, 0}", 20), pulled_along("{0, -3, 0}", -20)}) {
+    write_scene("strip", {{held, support}});
+    const Outcome run = toile("run scene.xml --output out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    rows.push_back(last_row(read("out/force-curves.csv")));
+    ASSERT_EQ(rows.back().size(), 4u);
+    EXPECT_EQ(rows.back()[2], rows.front()[2]);
+    EXPECT_GT(std::stod(rows.back()[3]), 0.1);
+    EXPECT_NEAR(std::stod(rows.back()[3]), std::stod(rows.front()[3]), 1e-8);
+  }
 }
 
 }  // namespace

@@ -51,6 +51,17 @@ TEST(Output, UnknownEdgeIsRefused) {
             "\"tube.lefft\"; did you mean \"tube.left\"? Valid here: tube.bottom, tube.left, tube.right, tube.top");
 }
 
+// Nodes that move along a limb whose direction changes have no one direction of a force.
+TEST(Output, ForceCurveAlongAConicalLimbIsRefused) {
+  ParameterList list = tube_scene();
+  list.sublist("Body").set("type", std::string("cone")).set("slope", 0.1);
+  add_support(list, "hem", "tube.top");
+  ParameterList& hem = list.sublist("Supports").sublist("hem");
+  hem.set("hold", std::string("along the limb")).set("move along", 3.0);
+  list.sublist("Output").sublist("Force curves").sublist("w").set("support", std::string("hem")).set("length", 100.0);
+  EXPECT_THAT(input_error(list), HasSubstr("its nodes move in different directions, along the limb"));
+}
+
 // A force curve of a support that the scene does not have.
 TEST(Output, UnknownSupportIsRefused) {
   ParameterList list = flat_scene();

@@ -26,7 +26,7 @@ void add_distances(result::Table& table, const scene::Output& output,
 result::Series force_series(const scene::ForceCurve& curve, const solve::Problem& problem,
                             const std::vector<solve::StepReport>& reports) {
   const solve::Support& support = problem.supports[curve.support];
-  const solve::Vec3& move = support.displacement;
+  const solve::Vec3 move = support.motion(0);
   result::Series series;
   series.title = curve.title;
   for (const solve::StepReport& r : reports) {

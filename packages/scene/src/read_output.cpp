@@ -86,6 +86,13 @@ std::vector<std::string> sections_of(const base::List& entry, const Output& outp
   return titles;
 }
 
+bool moves_as_one(const solve::Support& support) {
+  constexpr double same = 1e-9;  // mm
+  for (size_t n = 1; n < support.nodes.size(); ++n)
+    if ((support.motion(n) - support.motion(0)).norm() > same) return false;
+  return true;
+}
+
 }  // namespace
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
@@ -122,10 +129,15 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
         if (problem.supports[s].name == entry.word("support")) curve.support = static_cast<int>(s);
       }
       if (curve.support < 0) entry.fail("support", unknown("support", entry.word("support"), valid));
-      if (problem.supports[static_cast<size_t>(curve.support)].turn)
+      const solve::Support& support = problem.supports[static_cast<size_t>(curve.support)];
+      if (support.turn)
         entry.fail("support",
                    "this support turns, and its torque is in torques.csv; force curves are of supports that "
                    "\"move by\" only");
+      if (!moves_as_one(support))
+        entry.fail("support",
+                   "its nodes move in different directions, along the limb; a force curve has one direction. Give the "
+                   "support \"hold\" = \"direction\"");
       out.force_curves.push_back(curve);
     }
   if (list.has_list("Distances"))

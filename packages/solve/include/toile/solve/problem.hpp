@@ -56,6 +56,8 @@ struct Support {
   std::vector<Frame> axes = {};  ///< [node] the support's axes; empty: x, y and z
 
   Vec3 axis(size_t node, Eigen::Index i) const { return axes.empty() ? Vec3(Vec3::Unit(i)) : Vec3(axes[node].row(i)); }
+  /// Of its node number `node` in space at share 1, turn left out, mm.
+  Vec3 motion(size_t node) const { return axes.empty() ? displacement : Vec3(axes[node].transpose() * displacement); }
 };
 
 /// Dead force or moment, shared by some nodes.
