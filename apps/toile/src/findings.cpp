@@ -68,20 +68,12 @@ std::string level_table(const std::vector<result::LevelRow>& levels) {
   return "Pressure at the levels, mean round the section +- its error by the mesh\n" + columns(rows);
 }
 
-double pattern_area(const mesh::Mesh& mesh, const mesh::Block& block, size_t e) {
-  const size_t per = static_cast<size_t>(block.nodes_per_element);
-  const auto corner = [&](size_t i) { return mesh.pattern[block.connectivity[e * per + i % per]]; };
-  double twice = 0.0;
-  for (size_t i = 0; i < per; ++i) twice += corner(i).x() * corner(i + 1).y() - corner(i + 1).x() * corner(i).y();
-  return 0.5 * std::abs(twice);
-}
-
 /// Value below which a share of the panel's area lies.
 double quantile(const mesh::Mesh& mesh, const mesh::Block& block, const std::vector<double>& values, double share) {
   std::vector<std::pair<double, double>> sorted;  // value, area
   double total = 0.0;
   for (size_t e = 0; e < values.size(); ++e) {
-    sorted.emplace_back(values[e], pattern_area(mesh, block, e));
+    sorted.emplace_back(values[e], mesh::pattern_area(mesh, block, e));
     total += sorted.back().second;
   }
   std::sort(sorted.begin(), sorted.end());

@@ -1,11 +1,23 @@
 #include "toile/mesh/mesh.hpp"
 
+#include <cmath>
+
 namespace toile::mesh {
 
 int Mesh::elements() const {
   int count = 0;
   for (const Block& block : blocks) count += block.size();
   return count;
+}
+
+double pattern_area(const Mesh& mesh, const Block& block, std::size_t element) {
+  const auto per = static_cast<std::size_t>(block.nodes_per_element);
+  const auto corner = [&](std::size_t i) { return mesh.pattern[block.connectivity[element * per + i % per]]; };
+  double twice = 0.0;
+  for (std::size_t i = 0; i < per; ++i) {
+    twice += corner(i).x() * corner(i + 1).y() - corner(i + 1).x() * corner(i).y();
+  }
+  return 0.5 * std::abs(twice);
 }
 
 std::vector<double> arc_lengths(const Mesh& mesh, const std::vector<int>& nodes) {

@@ -2,7 +2,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "diagnosis.hpp"
 #include "fabric_state.hpp"
@@ -14,13 +13,6 @@
 namespace toile::solve {
 
 namespace {
-
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(4);
-  out << x;
-  return out.str();
-}
 
 std::string panels_of(const Problem& problem, const std::vector<int>& clusters) {
   std::vector<std::string> names;
@@ -53,7 +45,7 @@ std::string seam_through_body(const Failure& failure) {
     }
   if (deepest == 0.0) return {};
   return "the way that a seam closes leads through the body: " + node_text(problem, placed_state(problem), worst) +
-         ", starts " + number(apart) +
+         ", starts " + number_text(apart) +
          " mm from the node that it is sewn to, with the body between them. Check which edges the seam joins, and "
          "where "
          "the panels start";
@@ -156,8 +148,8 @@ std::string slides(const Failure& failure) {
     std::string text = panels_of(problem, part) +
                        (push.facing < along_the_body ? ": it slides along the body" : ": it is pushed off the body") +
                        ", in the direction " + direction_text(direction);
-    if (moved > 1.0) text += ", by " + number(moved) + " mm in this stage";
-    text += ": the body pushes it there with " + number(size) + " N";
+    if (moved > 1.0) text += ", by " + number_text(moved) + " mm in this stage";
+    text += ": the body pushes it there with " + number_text(size) + " N";
     if (push.facing < along_the_body)
       return text +
              ", there is no friction, and no support holds it. Hold an end of it along the limb (list \"Supports\")";
@@ -236,7 +228,7 @@ std::string reaches_a_limit(const Failure& failure) {
   if (failure.left.s - failure.reached > shrunk * stage.smallest_step) return {};
   const Problem& problem = failure.problem;
   std::string text =
-      "beyond load " + number(failure.last.load) + " there may be no equilibrium: the garment cannot carry more";
+      "beyond load " + number_text(failure.last.load) + " there may be no equilibrium: the garment cannot carry more";
   if (!problem.pressures.empty())
     text += " of the pressure \"" + problem.pressures.front().name + "\"";
   else if (!problem.loads.empty())
@@ -263,7 +255,7 @@ std::string nothing_known(const Failure& failure) {
   if (!failure.stepped && !failure.relaxing && stage.damping.active) return far_from_equilibrium(failure);
   if (stage.damping.active)
     return failure.stepped && !failure.relaxing
-               ? "\"smallest step\" (now " + number(stage.smallest_step) +
+               ? "\"smallest step\" (now " + number_text(stage.smallest_step) +
                      ") may be too long for what happens there; a smaller one lets the "
                      "stage go on in shorter steps"
                : std::string();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "fabric_state.hpp"
 #include "place.hpp"
@@ -11,18 +10,11 @@ namespace toile::solve {
 
 namespace {
 
-std::string digits(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
-
 /// Where the last attempt wanted to get.
 std::string attempt_text(const Failure& failure) {
   if (failure.relaxing) return "The last attempt at its undamped end";
   if (!failure.stepped) return "The attempt at its start, before any step,";
-  return "The last attempt, a step of " + digits(failure.left.s - failure.reached) + ",";
+  return "The last attempt, a step of " + number_text(failure.left.s - failure.reached) + ",";
 }
 
 /// How Newton's method ended.
@@ -56,17 +48,18 @@ std::string force_text(const Failure& failure) {
   const Remainder& left = failure.left;
   if (left.total.relative() <= failure.newton.tolerance) return {};
   const size_t worst = largest(left.force.size(), [&](size_t c) { return left.force[c].norm(); });
-  return " The forces do not balance: their residual is " + digits(left.total.relative()) +
-         " of the nodal forces (tolerance " + digits(failure.newton.tolerance) + "); worst at " +
-         node_text(failure.problem, left.state, worst) + ", by " + digits(left.force[worst].norm()) + " N.";
+  return " The forces do not balance: their residual is " + number_text(left.total.relative()) +
+         " of the nodal forces (tolerance " + number_text(failure.newton.tolerance) + "); worst at " +
+         node_text(failure.problem, left.state, worst) + ", by " + number_text(left.force[worst].norm()) + " N.";
 }
 
 std::string gap_text(const Failure& failure) {
   const Remainder& left = failure.left;
   if (left.total.gap <= failure.newton.gap_tolerance) return {};
   const size_t worst = largest(left.opening.size(), [&](size_t c) { return left.opening[c]; });
-  return " Contact is violated by " + digits(left.total.gap) + " mm (tolerance " +
-         digits(failure.newton.gap_tolerance) + " mm); worst at " + node_text(failure.problem, left.state, worst) + ".";
+  return " Contact is violated by " + number_text(left.total.gap) + " mm (tolerance " +
+         number_text(failure.newton.gap_tolerance) + " mm); worst at " + node_text(failure.problem, left.state, worst) +
+         ".";
 }
 
 }  // namespace

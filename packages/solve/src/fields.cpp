@@ -12,14 +12,6 @@ namespace toile::solve {
 
 namespace {
 
-double pattern_area(const mesh::Mesh& mesh, const mesh::Block& block, size_t e) {
-  const size_t per = static_cast<size_t>(block.nodes_per_element);
-  const auto corner = [&](size_t i) { return mesh.pattern[block.connectivity[e * per + i % per]]; };
-  double twice = 0.0;
-  for (size_t i = 0; i < per; ++i) twice += corner(i).x() * corner(i + 1).y() - corner(i + 1).x() * corner(i).y();
-  return 0.5 * std::abs(twice);
-}
-
 /// The points of an element count alike.
 std::array<double, 3> wrinkle_shares(const Problem& problem, size_t b, const element::PointFields& points) {
   if (points.wrinkle_state.empty()) return {1.0, 0.0, 0.0};
@@ -28,7 +20,7 @@ std::array<double, 3> wrinkle_shares(const Problem& problem, size_t b, const ele
   std::array<double, 3> shares{};
   double total = 0.0;
   for (size_t k = 0; k < points.wrinkle_state.size(); ++k) {
-    const double area = pattern_area(*problem.mesh, block, k / per);
+    const double area = mesh::pattern_area(*problem.mesh, block, k / per);
     shares[static_cast<size_t>(points.wrinkle_state[k])] += area;
     total += area;
   }

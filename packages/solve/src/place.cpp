@@ -15,6 +15,13 @@ double clean(double x, double scale) {
 
 }  // namespace
 
+std::string number_text(double x) {
+  std::ostringstream out;
+  out.precision(4);
+  out << x;
+  return out.str();
+}
+
 std::string place_text(const Vec3& position, const mesh::Vec2& pattern) {
   std::ostringstream out;
   out.precision(4);

@@ -6,6 +6,9 @@
 
 namespace toile::solve {
 
+/// Four digits of a number in a message.
+std::string number_text(double x);
+
 /// "at (1, 2, 3) mm, in the pattern at (1, 2) mm".
 std::string place_text(const Vec3& position, const mesh::Vec2& pattern);
 

@@ -46,6 +46,9 @@ struct Mesh {
   int elements() const;
 };
 
+/// Area of an element of a block in the pattern, mm^2.
+double pattern_area(const Mesh& mesh, const Block& block, std::size_t element);
+
 /// Length in the pattern from the first of some nodes along the line through them to each one, mm.
 std::vector<double> arc_lengths(const Mesh& mesh, const std::vector<int>& nodes);
 
