@@ -30,7 +30,7 @@ section() {  # title, text, test and its arguments
     "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \
     contact_variety_test
   section "The shipped leg" \
-    "Mean pressure at the hosiery levels over three meshes, of which the last is the shipped one, against a spectral solution that was computed without Toile (test/data/contact/leg_reference.py)." \
+    "Mean pressure at the hosiery levels over three meshes, of which the last is the shipped one (in brackets what pressure_error says), against a spectral solution that was computed without Toile (test/data/contact/leg_reference.py)." \
     leg_reference_test
   section "Lift-off at a waist" "Where the sleeve leaves the body (reference in brackets), its radius in the middle, and the pressure two elements away from lift-off." \
     contact_waist_test

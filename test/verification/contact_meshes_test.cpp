@@ -123,14 +123,15 @@ INSTANTIATE_TEST_SUITE_P(Contact, PressureOnAnyMesh, testing::ValuesIn(cases()),
 
 class PressureOnFreeMeshes : public testing::TestWithParam<Case> {};
 
-// From elements of 8 to elements of 2 mm the pressure converges with second order on free meshes, on which a nodal
-// force over an area does not converge at all.
-TEST_P(PressureOnFreeMeshes, ConvergesWithSecondOrder) {
+// From elements of 8 to elements of 2 mm the pressure converges on free meshes, on which a nodal force over an area
+// does not converge at all: with second order on quadrilaterals of the ellipse; on constant-strain triangles of the
+// ellipsoid, which is curved both ways, between first and second order.
+TEST_P(PressureOnFreeMeshes, Converges) {
   const ContactReference reference("contact_" + GetParam().reference);
   const MeshErrors coarse = solved(reference, GetParam().mesh, 8.0), fine = solved(reference, GetParam().mesh, 2.0);
   const double rate = 0.5 * std::log2(coarse.rms / fine.rms);
   print_row(GetParam().mesh, GetParam().reference, 2.0, fine, rate);
-  EXPECT_GE(rate, 1.7);  // 2 on the ellipse; on the ellipsoid the held ends bring it to 1.75
+  EXPECT_GE(rate, GetParam().mesh == "quadrilaterals" ? 1.9 : 1.7);
   EXPECT_LE(fine.rms, 0.0015);
   EXPECT_GE(fine.nodal_force, 0.1) << "this mesh is too regular to tell anything";
 }

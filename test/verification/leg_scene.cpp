@@ -65,13 +65,15 @@ std::vector<LegLevel> Leg::levels() const {
     for (const int n : cluster) garment.tied[static_cast<size_t>(n)] = cluster.front();
   garment.pressure = fields.pressure;
   garment.tension = fields.tension;
+  garment.pressure_error = fields.pressure_error;
   garment.smallest_stress = element_field(fields, "cauchy_minor");
   std::vector<result::Level> wanted;
   for (const scene::Level& level : scene->output().levels) wanted.push_back({level.name, level.height});
   std::vector<LegLevel> found;
   for (const result::LevelRow& row :
        result::levels(garment, {scene->output().axis_point, scene->output().axis_direction}, wanted))
-    found.push_back({base::mpa_to_kpa(row.pressure_mean), base::mpa_to_kpa(row.laplace), row.smallest_stress});
+    found.push_back({base::mpa_to_kpa(row.pressure_mean), base::mpa_to_kpa(row.laplace), row.smallest_stress,
+                     base::mpa_to_kpa(row.pressure_error)});
   return found;
 }
 

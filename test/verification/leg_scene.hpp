@@ -10,9 +10,10 @@
 
 namespace toile::test {
 
-/// Mean pressure, Laplace's T/r (kPa) and smallest principal stress (MPa) at a height.
+/// Mean pressure, Laplace's T/r (kPa), smallest principal stress (MPa) and the estimate of the pressure's error (kPa)
+/// at a height.
 struct LegLevel {
-  double pressure = 0.0, laplace = 0.0, smallest_stress = 0.0;
+  double pressure = 0.0, laplace = 0.0, smallest_stress = 0.0, error = 0.0;
 };
 
 /// A shipped scene of the pantyhose leg after its last stage.

@@ -124,16 +124,16 @@ TEST(PantyhoseLeg, RealLeg) {
   expect_decreasing(level);
   EXPECT_NEAR(level[B].pressure, 0.97, 0.1);
   EXPECT_NEAR(level[C].pressure, 0.43, 0.06);
-  // Nodes that hover among pressed ones by less than the chords of this coarse mesh sag are pressed as they are.
-  constexpr double sag = 0.5;  // mm
-  int lifted = 0;
+  int lifted = 0, bridged = 0;
   for (size_t n = 0; n < leg.fields.pressure.size(); ++n) {
     EXPECT_GE(leg.fields.pressure[n], 0.0) << "node " << n;
-    if (leg.fields.gap[n] <= sag) continue;
-    ++lifted;
-    EXPECT_EQ(leg.fields.pressure[n], 0.0) << "pressure across a gap at node " << n;
+    if (leg.fields.gap[n] <= 1e-3) continue;
+    ++(leg.fields.pressure[n] > 0.0 ? bridged : lifted);
   }
-  EXPECT_GT(lifted, 0);
+  // Two nodes that the tilt of facets lifts among pressed ones, by less than the chords of this coarse mesh sag, have
+  // the pressure of their tension.
+  EXPECT_LE(bridged, 2);
+  EXPECT_GT(lifted, 10);
 }
 
 }  // namespace
