@@ -59,7 +59,7 @@ TEST(OutputFields, ContactForcesAddUp) {
   solve::State state = solve::placed_state(sleeve.problem);
   std::iota(state.contact_force.begin(), state.contact_force.end(), 1.0);
   const solve::Fields fields = solve::compute_fields(sleeve.problem, state);
-  const auto& force = solve::named(solve::nodal_fields(sleeve.problem, fields), "contact_force").values;
+  const auto force = solve::named(solve::nodal_fields(sleeve.problem, fields), "contact_force").values;
   EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0),
               std::accumulate(state.contact_force.begin(), state.contact_force.end(), 0.0), 1e-8);
 }

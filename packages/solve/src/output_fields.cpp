@@ -158,4 +158,8 @@ const NamedField& named(const std::vector<NamedField>& fields, const std::string
   return *found;
 }
 
+NamedField named(std::vector<NamedField>&& fields, const std::string& name) {
+  return named(static_cast<const std::vector<NamedField>&>(fields), name);
+}
+
 }  // namespace toile::solve

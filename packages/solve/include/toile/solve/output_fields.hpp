@@ -33,5 +33,7 @@ std::vector<NamedField> global_fields(const Problem& problem, const StepReport& 
 
 /// The one of these fields that has this name; an internal error if there is none.
 const NamedField& named(const std::vector<NamedField>& fields, const std::string& name);
+/// By value from fields that end with the expression.
+NamedField named(std::vector<NamedField>&& fields, const std::string& name);
 
 }  // namespace toile::solve
