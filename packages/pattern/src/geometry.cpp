@@ -1,0 +1,69 @@
+#include "geometry.hpp"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+
+namespace toile::pattern {
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::d2::point_xy<double>;
+using Polygon = bg::model::polygon<Point, false>;  // counter-clockwise, closed
+
+/// Of the loop's size: how closely its curves are followed where they are checked.
+constexpr double chord = 1e-5;
+
+Polygon::ring_type ring(const Loop& loop) {
+  double length = 0.0;
+  for (const Edge& edge : loop) length += edge.curve.length();
+  Polygon::ring_type points;
+  for (const Edge& edge : loop) {
+    const std::vector<Vec2> curve = edge.curve.points(chord * length);
+    for (std::size_t k = 0; k + 1 < curve.size(); ++k) points.emplace_back(curve[k].x(), curve[k].y());
+  }
+  if (!points.empty()) points.push_back(points.front());
+  return points;
+}
+
+std::string reason(bg::validity_failure_type failure, const std::string& detail) {
+  // The library tells the place as "(x, y)" in its own sentence.
+  const std::size_t at = detail.find('('), end = detail.find(')');
+  const std::string place = at == std::string::npos || end == std::string::npos
+                                ? ""
+                                : " near " + detail.substr(at, end - at + 1) + " mm of its pattern";
+  switch (failure) {
+    case bg::failure_spikes:
+      return "the outline folds back on itself" + place;
+    case bg::failure_self_intersections:
+    case bg::failure_disconnected_interior:
+      return "it overlaps itself" + place + "; its outline must not cross or touch itself or a hole";
+    case bg::failure_interior_rings_outside:
+      return "a hole lies outside of the outline" + place;
+    case bg::failure_nested_interior_rings:
+    case bg::failure_intersecting_interiors:
+      return "two holes overlap" + place;
+    case bg::failure_wrong_orientation:
+      return "the outline must run counter-clockwise and holes clockwise, seen from the right side of the fabric";
+    default:
+      return "its outline encloses no piece of fabric: " + detail;
+  }
+}
+
+}  // namespace
+
+double signed_area(const Loop& loop) {
+  return bg::area(Polygon{ring(loop)});
+}
+
+std::string why_invalid(const Panel& panel) {
+  Polygon polygon{ring(panel.outline)};
+  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  std::string detail;
+  bg::validity_failure_type failure{};
+  if (bg::is_valid(polygon, failure)) return "";
+  bg::is_valid(polygon, detail);
+  return reason(failure, detail);
+}
+
+}  // namespace toile::pattern

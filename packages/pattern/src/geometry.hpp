@@ -1,0 +1,14 @@
+#pragma once
+
+#include "toile/pattern/panel.hpp"
+
+namespace toile::pattern {
+
+/// Signed area that a loop encloses, mm^2; positive: counter-clockwise.
+double signed_area(const Loop& loop);
+
+/// Why the outline and the holes of a panel bound no piece of fabric, with the place: lines that cross or touch, a hole
+/// outside. Empty if they do. Loops must be closed and oriented.
+std::string why_invalid(const Panel& panel);
+
+}  // namespace toile::pattern
