@@ -169,38 +169,16 @@ Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const Gri
   return grid;
 }
 
-void add_panel(Mesh& mesh, const std::string& panel, const std::string& material, const Grid& grid,
-               const Placed& placed, double wale_angle) {
-  assert(placed.position.size() == grid.nodes.size() && placed.normal.size() == grid.nodes.size());
-  const int first = mesh.nodes();
-  mesh.pattern.insert(mesh.pattern.end(), grid.nodes.begin(), grid.nodes.end());
-  mesh.placed.insert(mesh.placed.end(), placed.position.begin(), placed.position.end());
-  mesh.normal.insert(mesh.normal.end(), placed.normal.begin(), placed.normal.end());
-  mesh.axis.insert(mesh.axis.end(), placed.axis.begin(), placed.axis.end());
-  mesh.axis.resize(mesh.placed.size(), Vec3::Zero());
-
-  Block block{panel, material, grid.nodes_per_element, grid.connectivity, {}, {}};
-  const auto [low, high] = std::minmax_element(grid.nodes.begin(), grid.nodes.end(),
-                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  for (int e = 0; e < block.size(); ++e) {
-    double y = 0.0;
-    for (int k = 0; k < block.nodes_per_element; ++k) {
-      y += grid.nodes[grid.connectivity[e * block.nodes_per_element + k]].y() / block.nodes_per_element;
-    }
-    block.position.push_back((y - low->y()) / (high->y() - low->y()));
-  }
-  block.wale_angle.assign(block.size(), wale_angle);
-  for (int& id : block.connectivity) id += first;
-  mesh.blocks.push_back(std::move(block));
-
-  const auto add_edge = [&mesh, &panel, first](const std::string& side, std::vector<int> ids) {
-    for (int& id : ids) id += first;
-    mesh.edges[panel + "." + side] = std::move(ids);
-  };
-  add_edge("bottom", grid.row(0));
-  add_edge("right", grid.column(grid.across));
-  add_edge("top", grid.row(grid.along));
-  add_edge("left", grid.column(0));
+PanelMesh panel_mesh(const Grid& grid) {
+  PanelMesh panel;
+  panel.nodes = grid.nodes;
+  panel.across = grid.across;
+  panel.parts.push_back({"", grid.nodes_per_element, grid.connectivity});
+  panel.edges = {{"bottom", grid.row(0)},
+                 {"right", grid.column(grid.across)},
+                 {"top", grid.row(grid.along)},
+                 {"left", grid.column(0)}};
+  return panel;
 }
 
 }  // namespace toile::mesh

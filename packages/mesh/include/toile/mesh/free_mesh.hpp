@@ -22,7 +22,7 @@ struct FreeMeshInput {
   std::vector<std::vector<int>> lines;  ///< open lines inside that sides of elements follow
   double size = 1.0;                    ///< length of sides away from loops and refinements, mm
   std::vector<Refinement> refinements;
-  bool triangles = false;  ///< else quadrilaterals, which need an even number of points a loop to be alone
+  bool triangles = false;  ///< else quadrilaterals, for which each loop and line has an even number of sides
 };
 
 struct FreeMesh {
@@ -31,9 +31,10 @@ struct FreeMesh {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise, as the quadrilaterals
 };
 
-/// Meshes an area by Gmsh's frontal Delaunay method, and recombines its triangles by a perfect matching. Gmsh runs in a
-/// program of its own: throws InputError if it fails, crashes, does not end within `most_seconds`, or leaves a mesh
-/// that does not keep the points. Same input, same mesh.
+/// Meshes an area by Gmsh's frontal Delaunay method. Quadrilaterals are made from triangles of twice the size, which a
+/// perfect matching joins in pairs where it can; then each quadrilateral is divided into four and each triangle that is
+/// left into three, so that no triangle remains. Gmsh runs in a program of its own: throws InputError if it fails,
+/// crashes, does not end within `most_seconds`, or leaves a mesh that does not keep the points. Same input, same mesh.
 FreeMesh mesh_freely(const FreeMeshInput& input, double most_seconds = 120.0);
 
 }  // namespace toile::mesh
