@@ -165,6 +165,7 @@ std::vector<double> Recoverer::untilted() const {
 /// makes sense; none if there are none.
 const std::vector<int>* Recoverer::wide_patch(int site) {
   constexpr double least_cosine = 0.77;  // 40 degrees
+  if (patches_.at(site).size() < 2) return nullptr;
   const Vec3& normal = cluster(site).surface.normal;
   for (const int more : {2, 1}) {
     const std::vector<int>& patch = patches_.around(site, patches_.few(site) ? 1 : more);
