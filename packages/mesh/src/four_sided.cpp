@@ -12,7 +12,7 @@ namespace toile::mesh {
 namespace {
 
 Curve line(const Vec2& a, const Vec2& b) {
-  return Curve({a, b}, Interpolation::polyline);
+  return Curve::line(a, b);
 }
 
 /// Arc of a circle round the origin.
@@ -89,21 +89,6 @@ std::optional<std::string> FourSides::open_corner() const {
   if (!gap) gap = gap_between("the end of right", right.back(), "the end of top", top.back(), tolerance);
   if (!gap) gap = gap_between("the end of left", left.back(), "the start of top", top.front(), tolerance);
   return gap;
-}
-
-std::vector<Vec2> FourSides::polygon(int per_side) const {
-  std::vector<Vec2> points;
-  const auto walk = [&points, per_side](const Curve& side, bool backwards) {
-    for (int k = 0; k < per_side; ++k) {
-      const double s = static_cast<double>(k) / per_side;
-      points.push_back(side.at(backwards ? 1.0 - s : s));
-    }
-  };
-  walk(bottom, false);
-  walk(right, false);
-  walk(top, true);
-  walk(left, true);
-  return points;
 }
 
 FourSides rectangle(double width, double height) {

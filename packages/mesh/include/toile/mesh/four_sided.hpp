@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "toile/mesh/curve.hpp"
+#include "toile/pattern/curve.hpp"
 #include "toile/mesh/panel_mesh.hpp"
 
 namespace toile::mesh {
+
+using pattern::Curve;
 
 /// Outline of a panel: bottom and top run from left to right, left and right from bottom to top.
 struct FourSides {
@@ -18,8 +20,6 @@ struct FourSides {
 
   /// The two ends that should be one corner and are further apart than 1e-6 of the outline's length, as text.
   std::optional<std::string> open_corner() const;
-  /// Closed polygon along the outline, counter-clockwise, `per_side` points on each side.
-  std::vector<Vec2> polygon(int per_side) const;
 };
 
 /// Rectangle with its lower left corner at the origin, mm.
