@@ -1,7 +1,7 @@
 # Switches of the build. Optional packages are off only when somebody asks for it.
 option(TOILE_ENABLE_TESTS "Build the tests" ON)
 option(TOILE_ENABLE_BENCHMARKS "Build the benchmarks" ON)
-option(TOILE_ENABLE_BODY "Bodies and contact (needs CGAL, CHOLMOD, GSL)" ON)
+option(TOILE_ENABLE_BODY "Bodies and contact (needs CGAL, CHOLMOD)" ON)
 option(TOILE_ENABLE_RESULT "Exodus and HDF5 files; without them a run writes tables and plots only" ON)
 # Cache variables outlive the mistake: a wrong one is dropped before it is refused.
 get_cmake_property(toile_cache CACHE_VARIABLES)

@@ -8,6 +8,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -60,7 +61,26 @@ Segment mapped(const Segment& segment, const Map& map, const Angle& angle) {
 int chords(const Segment& segment, double tolerance) {
   const double bend = std::max({second_derivative(segment, 0.0).norm(), second_derivative(segment, 0.5).norm(),
                                 second_derivative(segment, 1.0).norm()});
-  return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8.0 * tolerance)))), 1, 10000);
+  if (!(bend > 0.0)) return 1;
+  return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8.0 * tolerance))), 1.0, 10000.0));
+}
+
+void require_distinct(const std::vector<Vec2>& points, const std::vector<double>& parameters) {
+  if (points.size() < 2) throw base::InputError("a curve needs at least two points");
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (parameters[i] > parameters[i - 1]) continue;
+    std::ostringstream text;
+    text << "two points of a curve that follow each other are the same: (" << points[i].x() << ", " << points[i].y()
+         << ") mm; neighbours must be distinct";
+    throw base::InputError(text.str());
+  }
+}
+
+/// Length of the polygon up to each point.
+std::vector<double> chord_lengths(const std::vector<Vec2>& points) {
+  std::vector<double> chord{0.0};
+  for (std::size_t i = 1; i < points.size(); ++i) chord.push_back(chord.back() + (points[i] - points[i - 1]).norm());
+  return chord;
 }
 
 }  // namespace
@@ -82,18 +102,18 @@ Curve Curve::line(const Vec2& from, const Vec2& to) {
 }
 
 Curve Curve::polyline(const std::vector<Vec2>& points) {
+  require_distinct(points, chord_lengths(points));
   std::vector<Segment> segments;
   for (std::size_t i = 1; i < points.size(); ++i) segments.emplace_back(straight(points[i - 1], points[i]));
   return Curve(std::move(segments));
 }
 
 Curve Curve::spline(const std::vector<Vec2>& points) {
-  std::vector<double> chord{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) chord.push_back(chord.back() + (points[i] - points[i - 1]).norm());
-  return spline(points, chord);
+  return spline(points, chord_lengths(points));
 }
 
 Curve Curve::spline(const std::vector<Vec2>& points, const std::vector<double>& parameters) {
+  require_distinct(points, parameters);
   const Spline x(parameters, points, 0), y(parameters, points, 1);
   const auto slope = [&](std::size_t i) { return Vec2(x.slope(parameters[i]), y.slope(parameters[i])); };
   std::vector<Segment> segments;
@@ -157,8 +177,9 @@ Curve::Place Curve::place(double s) const {
     return std::make_pair(arc_[k] + arc_length(segments_[segment], from, t) - wanted,
                           derivative(segments_[segment], t).norm());
   };
-  return {segment,
-          boost::math::tools::newton_raphson_iterate(miss, guess, from, to, std::numeric_limits<double>::digits - 4)};
+  std::uintmax_t iterations = 60;
+  return {segment, boost::math::tools::newton_raphson_iterate(miss, guess, from, to,
+                                                              std::numeric_limits<double>::digits - 4, iterations)};
 }
 
 Vec2 Curve::at(double s) const {
@@ -168,7 +189,7 @@ Vec2 Curve::at(double s) const {
 
 Vec2 Curve::tangent(double s) const {
   const Place p = place(s);
-  return derivative(segments_[p.segment], p.t).normalized();
+  return direction(segments_[p.segment], p.t);
 }
 
 Vec2 Curve::front() const {
@@ -218,7 +239,7 @@ Curve Curve::part(double from, double to) const {
 std::vector<double> Curve::corners(double angle) const {
   std::vector<double> found;
   for (std::size_t p = 1; p < segments_.size(); ++p) {
-    const Vec2 in = derivative(segments_[p - 1], 1.0).normalized(), out = derivative(segments_[p], 0.0).normalized();
+    const Vec2 in = direction(segments_[p - 1], 1.0), out = direction(segments_[p], 0.0);
     if (std::acos(std::clamp(in.dot(out), -1.0, 1.0)) > angle) found.push_back(arc_[p * parts] / length());
   }
   return found;

@@ -50,10 +50,35 @@ std::string reason(bg::validity_failure_type failure, const std::string& detail)
   }
 }
 
+/// The library lets a hole touch the outline in single points; a mesh does not.
+std::string touching(const Panel& panel) {
+  using Line = bg::model::linestring<Point>;
+  std::vector<Line> lines;
+  const auto add = [&lines](const Loop& loop) {
+    const Polygon::ring_type points = ring(loop);
+    lines.emplace_back(points.begin(), points.end());
+  };
+  add(panel.outline);
+  for (const Loop& hole : panel.holes) add(hole);
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (bg::intersects(lines[i], lines[j]))
+        return "the hole with edge \"" + panel.holes[i - 1].front().name + "\" touches or crosses " +
+               (j == 0 ? "the outline" : "the hole with edge \"" + panel.holes[j - 1].front().name + "\"");
+  return "";
+}
+
 }  // namespace
 
 double signed_area(const Loop& loop) {
   return bg::area(Polygon{ring(loop)});
+}
+
+bool lies_on(const Panel& panel, const Vec2& point) {
+  Polygon polygon{ring(panel.outline)};
+  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  bg::correct(polygon);
+  return bg::covered_by(Point(point.x(), point.y()), polygon);
 }
 
 std::string why_invalid(const Panel& panel) {
@@ -61,7 +86,7 @@ std::string why_invalid(const Panel& panel) {
   for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
   std::string detail;
   bg::validity_failure_type failure{};
-  if (bg::is_valid(polygon, failure)) return "";
+  if (bg::is_valid(polygon, failure)) return touching(panel);
   bg::is_valid(polygon, detail);
   return reason(failure, detail);
 }

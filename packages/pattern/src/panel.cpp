@@ -118,4 +118,27 @@ void check(const Panel& panel) {
   if (!problem.empty()) fail(panel, problem);
 }
 
+void check(const Pattern& pattern) {
+  base::Texts names;
+  const auto add = [&names](const std::string& what, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      throw base::InputError("there are two " + what + " \"" + name + "\"; each needs a name of its own");
+    names.push_back(name);
+  };
+  for (const Panel& panel : pattern.panels) {
+    add("panels", panel.name);
+    check(panel);
+  }
+  names.clear();
+  for (const Stitch& stitch : pattern.stitches) {
+    add("stitches", stitch.name);
+    try {
+      find_side(pattern, stitch.first);
+      find_side(pattern, stitch.second);
+    } catch (const base::InputError& error) {
+      throw base::InputError("stitch \"" + stitch.name + "\": " + error.what());
+    }
+  }
+}
+
 }  // namespace toile::pattern

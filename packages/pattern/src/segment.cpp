@@ -10,7 +10,7 @@ Vec2 lerp(const Vec2& a, const Vec2& b, double t) {
   return (1.0 - t) * a + t * b;
 }
 
-Vec2 direction(double angle) {
+Vec2 unit(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -31,7 +31,7 @@ struct Value {
     const double u = 1.0 - t;
     return u * u * u * c[0] + 3.0 * u * u * t * c[1] + 3.0 * u * t * t * c[2] + t * t * t * c[3];
   }
-  Vec2 operator()(const Arc& a) const { return a.centre + a.radius * direction((1.0 - t) * a.from + t * a.to); }
+  Vec2 operator()(const Arc& a) const { return a.centre + a.radius * unit((1.0 - t) * a.from + t * a.to); }
 };
 
 struct Derivative {
@@ -42,7 +42,7 @@ struct Derivative {
     return 3.0 * (u * u * (c[1] - c[0]) + 2.0 * u * t * (c[2] - c[1]) + t * t * (c[3] - c[2]));
   }
   Vec2 operator()(const Arc& a) const {
-    const Vec2 d = direction((1.0 - t) * a.from + t * a.to);
+    const Vec2 d = unit((1.0 - t) * a.from + t * a.to);
     return a.radius * (a.to - a.from) * Vec2(-d.y(), d.x());
   }
 };
@@ -55,7 +55,7 @@ struct SecondDerivative {
   }
   Vec2 operator()(const Arc& a) const {
     const double turn = a.to - a.from;
-    return -a.radius * turn * turn * direction((1.0 - t) * a.from + t * a.to);
+    return -a.radius * turn * turn * unit((1.0 - t) * a.from + t * a.to);
   }
 };
 
@@ -71,6 +71,26 @@ Vec2 derivative(const Segment& segment, double t) {
 
 Vec2 second_derivative(const Segment& segment, double t) {
   return std::visit(SecondDerivative{t}, segment);
+}
+
+Vec2 direction(const Segment& segment, double t) {
+  const auto* bezier = std::get_if<Bezier>(&segment);
+  const Vec2 d = derivative(segment, t);
+  if (bezier == nullptr) return d.normalized();
+  // Where a control point lies on an end, the tangent there points to (or comes from) the next one that does not.
+  const auto& c = bezier->control;
+  const double small = 1e-9 * ((c[1] - c[0]).norm() + (c[2] - c[1]).norm() + (c[3] - c[2]).norm());
+  if (d.norm() > small) return d.normalized();
+  const Vec2 next = t < 0.5 ? Vec2(c[2] - c[0]) : Vec2(c[3] - c[1]);
+  return (next.norm() > small ? next : Vec2(c[3] - c[0])).normalized();
+}
+
+bool is_line(const Segment& segment) {
+  const auto* bezier = std::get_if<Bezier>(&segment);
+  if (bezier == nullptr) return false;
+  const auto& c = bezier->control;
+  const double small = 1e-9 * (c[3] - c[0]).norm();
+  return (c[1] - lerp(c[0], c[3], 1.0 / 3.0)).norm() < small && (c[2] - lerp(c[0], c[3], 2.0 / 3.0)).norm() < small;
 }
 
 double arc_length(const Segment& segment, double from, double to) {

@@ -27,8 +27,10 @@ using Segment = std::variant<Bezier, Arc>;
 /// splines and Bezier curves are kept as exact cubic segments, circular arcs as arcs.
 class Curve {
  public:
+  /// Segments one after another; each starts where the one before ends.
+  explicit Curve(std::vector<Segment> segments);
   static Curve line(const Vec2& from, const Vec2& to);
-  /// Straight lines through at least two points, neighbours distinct.
+  /// Straight lines through at least two points, neighbours distinct (else InputError).
   static Curve polyline(const std::vector<Vec2>& points);
   /// Natural cubic spline through at least two points, neighbours distinct: each coordinate a function of the chord
   /// length, zero second derivative at both ends.
@@ -68,7 +70,6 @@ class Curve {
   std::vector<Vec2> points(double tolerance) const;
 
  private:
-  explicit Curve(std::vector<Segment> segments);
   struct Place;
   Place place(double s) const;
 

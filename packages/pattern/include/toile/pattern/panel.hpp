@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,15 @@ struct EdgePart {
 /// the unit mm. Throws InputError with what is valid.
 EdgePart find_part(const Panel& panel, const std::string& name);
 
+/// One side of a stitch.
+struct Side {
+  const Panel* panel = nullptr;
+  EdgePart part;
+};
+
+/// The part of an edge that "panel.edge" or "panel.edge[from:to]" stands for. Throws InputError with what is valid.
+Side find_side(const Pattern& pattern, const std::string& name);
+
 /// Makes the outline counter-clockwise and the holes clockwise; edges that turn keep their names and notches their
 /// places.
 void orient(Panel& panel);
@@ -93,5 +103,8 @@ Panel unfolded(const Panel& panel, const std::string& fold);
 /// another one, a hole outside of the outline, an edge without length, equal names, a notch on no edge. Gaps of up to
 /// 1e-6 of the outline's length count as closed.
 void check(const Panel& panel);
+
+/// check() of all panels; panels and stitches of equal names, a stitch to an edge that does not exist.
+void check(const Pattern& pattern);
 
 }  // namespace toile::pattern
