@@ -82,7 +82,22 @@ std::vector<SeededEdge> edges(const base::List& panel, const Cut& cut) {
     if (finer.count(name) > 0) edge.size = finer[name];
     const Fractions ends = line_ends(cut, name, *curve);
     edge.kept.insert(edge.kept.end(), ends.begin(), ends.end());
+    for (const pattern::Notch& notch : cut.panel.notches)
+      if (notch.edge == name) edge.kept.push_back(notch.at);
     all.push_back(std::move(edge));
+  }
+  return all;
+}
+
+/// Marks, each at its node.
+std::vector<mesh::Notch> notches_of(const Cut& cut, const std::map<std::string, Fractions>& seeds,
+                                    const std::map<std::string, std::vector<int>>& edges) {
+  std::vector<mesh::Notch> all;
+  for (const pattern::Notch& notch : cut.panel.notches) {
+    const Fractions& at = seeds.at(notch.edge);
+    const auto by_distance = [&notch](double a, double b) { return std::abs(a - notch.at) < std::abs(b - notch.at); };
+    const auto nearest = std::min_element(at.begin(), at.end(), by_distance);
+    all.push_back({notch.name, notch.edge, edges.at(notch.edge)[static_cast<std::size_t>(nearest - at.begin())]});
   }
   return all;
 }
@@ -184,6 +199,7 @@ mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::ma
   mesh::PanelMesh mesh;
   mesh.nodes = std::move(made.nodes);
   mesh.edges = std::move(area.edges);
+  mesh.notches = notches_of(cut, seeds, mesh.edges);
   const auto add_part = [&mesh](const auto& elements, int nodes) {
     if (elements.empty()) return;
     mesh::PanelPart part{"", nodes, {}};

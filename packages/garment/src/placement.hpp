@@ -5,7 +5,7 @@
 
 #include "toile/base/parameters.hpp"
 #include "toile/body/body.hpp"
-#include "toile/mesh/four_sided.hpp"
+#include "toile/mesh/panel_mesh.hpp"
 
 namespace toile::garment {
 
@@ -14,7 +14,7 @@ namespace toile::garment {
 /// Throws InputError through `placement.fail`. `body` is null if the scene has none.
 struct Placement {
   base::Spec spec;
-  mesh::Placed (*place)(const base::List& placement, const mesh::Grid& grid, const body::Surface* body);
+  mesh::Placed (*place)(const base::List& placement, const mesh::PanelMesh& flat, const body::Surface* body);
   /// Part of the body round which the panel lies, if it is between two heights of a straight axis; null if the
   /// placement never tells.
   std::optional<body::Region> (*reach)(const base::List& placement);
@@ -34,6 +34,6 @@ base::Spec placement_spec();
 const Placement& placement_of(const base::List& list);
 
 /// Start in space of the nodes of a panel, mm. Without a list "Placement" the panel lies in the x-y plane of space.
-mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body);
+mesh::Placed place_panel(const base::List& panel, const mesh::PanelMesh& flat, const body::Surface* body);
 
 }  // namespace toile::garment

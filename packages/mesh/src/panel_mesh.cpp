@@ -45,7 +45,8 @@ void add_panel(Mesh& mesh, const std::string& name, const PanelMesh& panel, cons
   mesh.normal.insert(mesh.normal.end(), placed.normal.begin(), placed.normal.end());
   mesh.axis.insert(mesh.axis.end(), placed.axis.begin(), placed.axis.end());
   mesh.axis.resize(mesh.placed.size(), Vec3::Zero());
-  mesh.panels.push_back({name, first, static_cast<int>(panel.nodes.size()), panel.across});
+  mesh.panels.push_back({name, first, static_cast<int>(panel.nodes.size()), panel.across, panel.notches});
+  for (Notch& notch : mesh.panels.back().notches) notch.node += first;
 
   const auto [low, high] = std::minmax_element(panel.nodes.begin(), panel.nodes.end(),
                                                [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });

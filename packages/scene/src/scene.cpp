@@ -115,7 +115,7 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
     }
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
-    const material::Material& fabric = *materials_.at(garment_.materials[b]);
+    const material::Material& fabric = *materials_.at(garment_.mesh.blocks[b].material);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
     const std::optional<garment::ShellOptions>& shell = garment_.shells[b];
     if (shell && fabric.graduated() && !shell->shear_modulus)

@@ -26,12 +26,20 @@ struct Block {
   int size() const { return static_cast<int>(connectivity.size()) / nodes_per_element; }
 };
 
+/// A mark on an edge, by which parts of edges are named.
+struct Notch {
+  std::string name;  ///< unique in its panel
+  std::string edge;  ///< without the panel's name
+  int node = 0;
+};
+
 /// Nodes of one panel, which are consecutive.
 struct MeshedPanel {
   std::string name;  ///< unique in the mesh
   int first = 0;     ///< its first node
   int nodes = 0;
   int across = 0;  ///< elements a row, if they lie in rows; 0: a free mesh
+  std::vector<Notch> notches;
 };
 
 /// Start in space of the nodes of one panel.

@@ -20,6 +20,7 @@ struct PanelMesh {
   std::vector<Vec2> nodes;                        ///< mm
   std::vector<PanelPart> parts;
   std::map<std::string, std::vector<int>> edges;  ///< ordered nodes along each named edge and line
+  std::vector<Notch> notches;
   int across = 0;                                 ///< elements a row, if nodes are numbered row by row; 0: a free mesh
 
   int rows() const { return static_cast<int>(nodes.size()) / (across + 1); }  ///< of nodes, if there are any
