@@ -14,6 +14,7 @@
 #include "critical_points.hpp"
 #include "damping.hpp"
 #include "diagnosis.hpp"
+#include "fabric_state.hpp"
 #include "held.hpp"
 #include "notes.hpp"
 #include "null_motion.hpp"
@@ -81,6 +82,7 @@ struct Simulation::Data {
   std::string end_failure();
   void watch_ellipticity(const StepReport& report);
   void judge(const StepReport& last);
+  bool is_slack_membrane() const;
   void march();
   SolveAt solver() {
     return [this](double s) -> std::optional<int> {
@@ -346,9 +348,21 @@ std::string Simulation::Data::end_failure() {
   return text + diagnosis();
 }
 
+// Then the signs of the pivots are those of round-off.
+bool Simulation::Data::is_slack_membrane() const {
+  const bool shells =
+      std::all_of(problem.laws.begin(), problem.laws.end(), [](const BlockLaw& law) { return law.is_shell(); });
+  return !shells && fabric_state(problem, state).is_slack();
+}
+
 void Simulation::Data::judge(const StepReport& last) {
   const std::string unstable = stability_warning(last);
-  if (!unstable.empty()) warnings.push_back(where() + unstable);
+  if (!unstable.empty() && is_slack_membrane())
+    notes.add(where() +
+              "its fabric carries no tension at its end. A membrane without tension resists no motion across itself: "
+              "what is written is one of the shapes that it may hang in");
+  else if (!unstable.empty())
+    warnings.push_back(where() + unstable);
   constexpr double most_stabilised = 0.05;
   if (stabilised > most_stabilised) {
     std::ostringstream text;
