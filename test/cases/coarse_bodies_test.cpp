@@ -64,7 +64,7 @@ TEST_F(Bodies, FlatFacesCutFurther) {
   write("body.obj", obj(prism(8)));
   expect_refused(AllOf(HasSubstr("body.obj"), HasSubstr("coarse flat facets: faces about 46 mm wide that meet at 45 "
                                                         "degrees")));
-  write("body.obj", obj(tube(60.0, 200, 2.0, 200)));
+  write("body.obj", obj(tube(60.0, 60, 6.7, 60)));
   EXPECT_THAT(toile("check scene.xml").err, Not(HasSubstr("flat")));
 }
 
