@@ -36,7 +36,9 @@ base::Spec free_spec() {
   return spec;
 }
 
-bool is_edge(const base::List& finer) { return !finer.word("at edge").empty(); }
+bool is_edge(const base::List& finer) {
+  return !finer.word("at edge").empty();
+}
 
 std::vector<base::List> finer_places(const base::List& panel) {
   return panel.has_list("Sizes") ? panel.list("Sizes").entries() : std::vector<base::List>();
@@ -203,7 +205,8 @@ mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::ma
   const auto add_part = [&mesh](const auto& elements, int nodes) {
     if (elements.empty()) return;
     mesh::PanelPart part{"", nodes, {}};
-    for (const auto& element : elements) part.connectivity.insert(part.connectivity.end(), element.begin(), element.end());
+    for (const auto& element : elements)
+      part.connectivity.insert(part.connectivity.end(), element.begin(), element.end());
     mesh.parts.push_back(std::move(part));
   };
   add_part(made.quadrilaterals, 4);

@@ -83,8 +83,10 @@ base::Spec imperfection_spec() {
       base::Spec("random", "An offset of its own for each node, evenly spread.")
           .integer("seed", "Another seed makes another imperfection of the same size.", 1, base::Range::at_least(0));
   const base::Spec waves =
-      base::Spec("waves", "A product of two sines of the relative arc length in the pattern; of the place in the rectangle round "
-                     "the pattern in a free mesh.")
+      base::Spec(
+          "waves",
+          "A product of two sines of the relative arc length in the pattern; of the place in the rectangle round "
+          "the pattern in a free mesh.")
           .reals("half-waves", "", "Two whole numbers: half-waves from left to right and from bottom to top.",
                  base::required, base::Range::at_least(1.0));
   return base::Spec(

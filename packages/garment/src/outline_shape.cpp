@@ -6,8 +6,8 @@
 namespace toile::garment {
 namespace {
 
-using pattern::Vec2;
 using pattern::Curve;
+using pattern::Vec2;
 
 std::vector<Vec2> read_points(const base::List& list, std::size_t least, std::size_t most) {
   const base::Reals& values = list.reals("points");

@@ -112,7 +112,7 @@ class Seeding {
 
   const std::vector<Cut>& cuts_;
   std::vector<SeededEdge> edges_;
-  std::vector<std::string> names_;   ///< [edge] without its panel
+  std::vector<std::string> names_;  ///< [edge] without its panel
   std::vector<std::size_t> first_;  ///< [panel] its first edge
   std::vector<SeededSeam> seams_;
 };

@@ -85,8 +85,11 @@ Seam build_seam(const base::List& entry, const mesh::Mesh& mesh) {
 
 base::Spec seams_spec() {
   base::Spec entry("seam", "Two edges that are sewn together, node by node. A panel may be sewn to itself.");
-  entry.word("first", "Name of an edge (panel.bottom, panel.right, panel.top, panel.left, or that of an outline), or of a part of "
-                      "it: panel.left[0.25:end], panel.armhole[notch1:notch2], panel.left[30mm:90mm].")
+  entry
+      .word(
+          "first",
+          "Name of an edge (panel.bottom, panel.right, panel.top, panel.left, or that of an outline), or of a part of "
+          "it: panel.left[0.25:end], panel.armhole[notch1:notch2], panel.left[30mm:90mm].")
       .word("second", "Name of the other edge.")
       .flag("reversed",
             "The second edge is sewn from its far end. Edges run from left to right and from bottom to top.", false)

@@ -95,8 +95,8 @@ double Section::radius(double angle) const {
 }
 
 double Section::arc(double from, double to) const {
-  return Gauss::integrate([this](double angle) { return std::hypot(local(angle).radius, local(angle).slope); },
-                              from, to);
+  return Gauss::integrate([this](double angle) { return std::hypot(local(angle).radius, local(angle).slope); }, from,
+                          to);
 }
 
 double Section::angle_at(double s) const {

@@ -144,11 +144,14 @@ Cut quarter_disc_sides(const base::List& panel) {
 }  // namespace
 
 const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all{
-      {rectangle_spec(), rectangle_sides, false}, {four_sided_spec(), four_sided_sides, true},
-      {profile_spec(), profile_sides, true},      {sector_spec(), sector_sides, false},
-      {disc_spec(), disc_sides, false},           {quarter_disc_spec(), quarter_disc_sides, false},
-      outline_shape(),                        pattern_file_shape()};
+  static const std::vector<Shape> all{{rectangle_spec(), rectangle_sides, false},
+                                      {four_sided_spec(), four_sided_sides, true},
+                                      {profile_spec(), profile_sides, true},
+                                      {sector_spec(), sector_sides, false},
+                                      {disc_spec(), disc_sides, false},
+                                      {quarter_disc_spec(), quarter_disc_sides, false},
+                                      outline_shape(),
+                                      pattern_file_shape()};
   return all;
 }
 

@@ -12,8 +12,7 @@ namespace {
 constexpr int most_elements_a_side = 10000, most_elements = 1000000;
 
 base::Spec structured_spec() {
-  return base::Spec("structured",
-                    "Rows of elements between four sides, which are called bottom, right, top and left.")
+  return base::Spec("structured", "Rows of elements between four sides, which are called bottom, right, top and left.")
       .integer("elements across", "Number of elements from left to right.", base::required,
                base::Range::between(1, most_elements_a_side))
       .integer("elements along", "Number of elements from bottom to top.", base::required,
@@ -43,8 +42,9 @@ mesh::FourSides sides_of(const base::List& panel, const Cut& cut) {
   const auto side = [&](const char* name) {
     const pattern::Edge* edge = cut.panel.edge(name);
     if (edge == nullptr || cut.panel.outline.size() != 4)
-      panel.fail("mesher", "\"structured\" needs an outline of four edges that are called bottom, right, top and left; "
-                           "\"free\" takes any outline");
+      panel.fail("mesher",
+                 "\"structured\" needs an outline of four edges that are called bottom, right, top and left; "
+                 "\"free\" takes any outline");
     return edge->curve;
   };
   if (!cut.panel.holes.empty() || !cut.panel.lines.empty())

@@ -119,7 +119,8 @@ class Wrapping {
 
 /// Sections of a bent axis must not cross within the body: each line of nodes that rises in the pattern has to rise
 /// along the axis.
-void check_crossing(const base::List& list, const WrapPlaces& places, const LimbAxis& axis, const mesh::Placed& placed) {
+void check_crossing(const base::List& list, const WrapPlaces& places, const LimbAxis& axis,
+                    const mesh::Placed& placed) {
   constexpr double least = 0.02;  // of the way along the axis
   if (!axis.is_bent()) return;
   for (const auto& [a, b] : places.rising) {

@@ -39,10 +39,9 @@ std::vector<double> row_heights(const base::List& list, const mesh::PanelMesh& f
   for (int j = 0; j < flat.rows(); ++j) {
     bool curved = false;
     for (int i = 0; i <= flat.across; ++i)
-      curved = curved ||
-               std::abs(flat.nodes[flat.node(i, j)].y() - level[j]) > straight * (level.back() - level.front());
-    for (int i = 0; i <= flat.across; ++i)
-      y.push_back(as_drawn && curved ? flat.nodes[flat.node(i, j)].y() : level[j]);
+      curved =
+          curved || std::abs(flat.nodes[flat.node(i, j)].y() - level[j]) > straight * (level.back() - level.front());
+    for (int i = 0; i <= flat.across; ++i) y.push_back(as_drawn && curved ? flat.nodes[flat.node(i, j)].y() : level[j]);
   }
   return y;
 }
@@ -78,7 +77,8 @@ std::pair<double, double> ends_at(const std::vector<std::pair<Vec2, Vec2>>& bord
   for (const auto& [a, b] : border) {
     const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
     if (y < low || y > high) continue;
-    for (const double share : {high > low ? (y - a.y()) / (b.y() - a.y()) : 0.0, high > low ? (y - a.y()) / (b.y() - a.y()) : 1.0}) {
+    for (const double share :
+         {high > low ? (y - a.y()) / (b.y() - a.y()) : 0.0, high > low ? (y - a.y()) / (b.y() - a.y()) : 1.0}) {
       const double x = a.x() + share * (b.x() - a.x());
       left = std::min(left, x);
       right = std::max(right, x);
@@ -117,7 +117,8 @@ WrapPlaces places_in_rows(const base::List& list, const mesh::PanelMesh& flat) {
   for (int j = 0; j < flat.rows(); ++j) {
     const std::vector<double> width = row_widths(list, flat, j);
     WrapPlace* row = &places.node[flat.node(0, j)];
-    const bool is_level = std::all_of(row, row + width.size(), [row](const WrapPlace& p) { return p.height == row->height; });
+    const bool is_level =
+        std::all_of(row, row + width.size(), [row](const WrapPlace& p) { return p.height == row->height; });
     for (std::size_t i = 0; i < width.size(); ++i) {
       row[i].width = width.back();
       row[i].fraction = width[i] / width.back();

@@ -136,10 +136,12 @@ class Sides {
   std::vector<bool> flipped_;
 };
 
-int block_of(const mesh::Mesh& mesh, const std::string& panel) {
-  const auto found = std::find_if(mesh.blocks.begin(), mesh.blocks.end(),
-                                  [&](const mesh::Block& block) { return block.name == panel; });
-  return static_cast<int>(found - mesh.blocks.begin());
+/// Index of the panel that an edge belongs to.
+int panel_index(const mesh::Mesh& mesh, const std::string& edge) {
+  const std::string name = panel_of_edge(edge);
+  const auto found = std::find_if(mesh.panels.begin(), mesh.panels.end(),
+                                  [&](const mesh::MeshedPanel& panel) { return panel.name == name; });
+  return static_cast<int>(found - mesh.panels.begin());
 }
 
 }  // namespace
@@ -201,12 +203,12 @@ int moebius_seam(const Scene& scene, const base::List& list) {
   const garment::Garment& garment = scene.garment();
   if (garment.seams.empty()) return -1;
   const Boundaries boundaries(garment.mesh);
-  Sides sides(garment.mesh.blocks.size());
+  Sides sides(garment.mesh.panels.size());
   const std::vector<Edges> edges = edges_of(garment, list.list("Seams"));
   for (size_t s = 0; s < edges.size(); ++s) {
     const bool flip = boundaries.run(edges[s].first) == boundaries.run(edges[s].second);
-    if (!sides.join(block_of(garment.mesh, panel_of_edge(garment.seams[s].first)),
-                    block_of(garment.mesh, panel_of_edge(garment.seams[s].second)), flip))
+    if (!sides.join(panel_index(garment.mesh, garment.seams[s].first),
+                    panel_index(garment.mesh, garment.seams[s].second), flip))
       return static_cast<int>(s);
   }
   return -1;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "toile/pattern/curve.hpp"
 #include "toile/mesh/panel_mesh.hpp"
+#include "toile/pattern/curve.hpp"
 
 namespace toile::mesh {
 

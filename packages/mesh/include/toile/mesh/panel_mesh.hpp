@@ -10,18 +10,18 @@ namespace toile::mesh {
 
 /// Elements of a panel with the same number of nodes, and of one zone.
 struct PanelPart {
-  std::string zone;               ///< empty: the panel outside of all zones
+  std::string zone;  ///< empty: the panel outside of all zones
   int nodes_per_element = 4;
   std::vector<int> connectivity;  ///< nodes of the panel, counter-clockwise
 };
 
 /// Mesh of one panel in its pattern, however it was made.
 struct PanelMesh {
-  std::vector<Vec2> nodes;                        ///< mm
+  std::vector<Vec2> nodes;  ///< mm
   std::vector<PanelPart> parts;
   std::map<std::string, std::vector<int>> edges;  ///< ordered nodes along each named edge and line
   std::vector<Notch> notches;
-  int across = 0;                                 ///< elements a row, if nodes are numbered row by row; 0: a free mesh
+  int across = 0;  ///< elements a row, if nodes are numbered row by row; 0: a free mesh
 
   int rows() const { return static_cast<int>(nodes.size()) / (across + 1); }  ///< of nodes, if there are any
   int node(int i, int j) const { return j * (across + 1) + i; }               ///< i from the left in row j
