@@ -22,7 +22,7 @@ Mesh two_panels(double grading = 1.0) {
   for (const char* name : {"back", "front"}) {
     const Grid grid = mesh_four_sided(name, rectangle(40.0, 60.0), options);
     const std::vector<Vec3> anywhere(grid.nodes.size(), Vec3::Zero());
-    add_panel(mesh, name, "knit", grid, {anywhere, anywhere}, 0.0);
+    add_panel(mesh, name, panel_mesh(grid), {anywhere, anywhere}, {{"", {"knit", 0.0}}});
   }
   return mesh;
 }
