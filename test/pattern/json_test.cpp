@@ -109,7 +109,7 @@ TEST(Json, EverythingRoundTrips) {
   ASSERT_EQ(again.panels.size(), 2);
   for (const Panel& panel : again.panels) {
     const Panel& other = pattern.panels[panel.name == "front" ? 0 : 1];
-    expect_same(other, panel, 1e-6);
+    expect_same(other, panel, 1e-9);
     expect_same_placement(other, panel, 1e-9);
   }
   expect_same_stitches(pattern, again);
