@@ -51,7 +51,7 @@ class Reader {
   }
 
   Vec2 to_mm(const Node& node) const {
-    const Vec2 p = unit_ * node.point();
+    Vec2 p = unit_ * node.point();
     if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate)) node.fail("this is further away than 1 km");
     return p;
   }
@@ -227,7 +227,7 @@ class Reader {
     const auto found = pieces_.find(panel);
     if (found == pieces_.end()) node.fail("there is no panel \"" + panel + "\"");
     const Piece& piece = found->second[node.at("edge").index(found->second.size())];
-    const std::string name = panel + "." + piece.edge;
+    std::string name = panel + "." + piece.edge;
     if (piece.from == 0.0 && piece.to == 1.0) return name;
     return name + "[" + number_text(piece.from) + ":" + number_text(piece.to) + "]";
   }
