@@ -38,6 +38,22 @@ TEST(File, UnsoundPatternIsNotWritten) {
   EXPECT_THAT(message([&] { write_pattern(pattern, "never.svg"); }), HasSubstr("the outline is open"));
 }
 
+class RealOutlines : public testing::TestWithParam<const char*> {};
+
+// The outlines of real patterns, through every format, are the same within 0.002 mm.
+TEST_P(RealOutlines, SurviveEveryFormat) {
+  for (const char* name : {"gpg_tee.json", "gpg_tee_sleeveless.json", "garmentcode_shirt_mean_specification.json"}) {
+    const Pattern pattern = read_pattern(std::string(TOILE_SOURCE_DIR "/test/data/patterns/") + name);
+    const Scratch file(GetParam());
+    write_pattern(pattern, file.path());
+    const Pattern again = read_pattern(file.path());
+    ASSERT_EQ(again.panels.size(), pattern.panels.size());
+    for (std::size_t k = 0; k < again.panels.size(); ++k) expect_same(pattern.panels[k], again.panels[k], 0.002);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(File, RealOutlines, testing::Values(".json", ".svg", ".dxf"));
+
 class Damaged : public testing::TestWithParam<const char*> {};
 
 // Whatever is changed in a file, it is read or refused as the user's; nothing else is thrown, and nothing takes long.
@@ -46,7 +62,7 @@ TEST_P(Damaged, FilesAreReadOrRefused) {
   write_pattern(everything(), source.path());
   const std::string text = source.content();
   int read = 0, refused = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
     std::ofstream(damaged.path()) << toile::test::Mutation(seed)(text);
     const auto begin = std::chrono::steady_clock::now();
     try {
@@ -61,7 +77,7 @@ TEST_P(Damaged, FilesAreReadOrRefused) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << "seed " << seed;
   }
   EXPECT_GT(read, 10);
-  EXPECT_GT(refused, 50);
+  EXPECT_GT(refused, 25);
 }
 
 INSTANTIATE_TEST_SUITE_P(File, Damaged, testing::Values(".json", ".svg", ".dxf"));

@@ -32,13 +32,14 @@ Eigen::Vector3d centre(const Panel& panel) {
 
 class RealPatterns : public testing::TestWithParam<const char*> {};
 
-// Real patterns load: their loops close (which reading checks), and stitched edges agree in length within 0.3 %.
+// Real patterns load: their loops close (which reading checks), and stitched edges agree in length within 0.35 %:
+// the side seams of the shirt are 262.3 mm and 261.4 mm in its file.
 TEST_P(RealPatterns, StitchedLengthsAgree) {
   const Pattern pattern = read_pattern(folder + GetParam());
   EXPECT_GT(pattern.stitches.size(), 3);
   for (const Stitch& stitch : pattern.stitches) {
     const double a = length(pattern, stitch.first), b = length(pattern, stitch.second);
-    EXPECT_LT(std::abs(a - b) / a, 0.003) << stitch.first << " " << stitch.second;
+    EXPECT_LT(std::abs(a - b) / a, 0.0035) << stitch.first << " " << stitch.second;
     EXPECT_TRUE(stitch.reversed);
   }
 }
@@ -108,7 +109,7 @@ TEST(Json, EverythingRoundTrips) {
   ASSERT_EQ(again.panels.size(), 2);
   for (const Panel& panel : again.panels) {
     const Panel& other = pattern.panels[panel.name == "front" ? 0 : 1];
-    expect_same(other, panel, 1e-6);
+    expect_same(other, panel, 1e-9);
     expect_same_placement(other, panel, 1e-9);
   }
   expect_same_stitches(pattern, again);

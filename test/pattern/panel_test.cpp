@@ -33,10 +33,16 @@ TEST(Panel, OpenOutlineIsRefused) {
 // An outline that crosses itself is told with the place.
 TEST(Panel, CrossingOutlineIsRefused) {
   Panel panel = square();
-  panel.outline[1].curve = Curve::line({100.0, 0.0}, {0.0, 100.0});
-  panel.outline[2].curve = Curve::line({0.0, 100.0}, {100.0, 100.0});
-  panel.outline[3].curve = Curve::line({100.0, 100.0}, {0.0, 0.0});
-  EXPECT_THAT(refusal(panel), HasSubstr("it overlaps itself near (50, 50) mm of its pattern"));
+  const auto cross = [&panel](double height) {
+    panel.outline[1].curve = Curve::line({100.0, 0.0}, {0.0, height});
+    panel.outline[2].curve = Curve::line({0.0, height}, {100.0, height});
+    panel.outline[3].curve = Curve::line({100.0, height}, {0.0, 0.0});
+    orient(panel);
+    return refusal(panel);
+  };
+  EXPECT_THAT(cross(100.0), HasSubstr("it overlaps itself"));
+  panel.outline[0].curve = Curve::polyline({{0.0, 0.0}, {50.0, -10.0}, {100.0, 0.0}});
+  EXPECT_THAT(cross(100.0), HasSubstr("it overlaps itself near (50, 50) mm of its pattern"));
 }
 
 // A hole that touches the outline in one point, or overlaps another hole, is refused.
@@ -45,7 +51,7 @@ TEST(Panel, TouchingHolesAreRefused) {
   panel.holes = {{{"hole", Curve::polyline({{50.0, 0.0}, {40.0, 20.0}, {60.0, 20.0}, {50.0, 0.0}})}}};
   EXPECT_THAT(refusal(panel), HasSubstr("the hole with edge \"hole\" touches or crosses the outline"));
   panel.holes = {round_hole({40.0, 50.0}, 20.0, "one"), round_hole({60.0, 50.0}, 20.0, "two")};
-  EXPECT_THAT(refusal(panel), HasSubstr("two holes overlap"));
+  EXPECT_THAT(refusal(panel), HasSubstr("the hole with edge \"two\" touches or crosses the hole with edge \"one\""));
 }
 
 // A hole outside of the outline is refused.

@@ -37,7 +37,7 @@ TEST(Svg, EverythingRoundTrips) {
   const Pattern again = read_pattern(file.path());
   ASSERT_EQ(again.panels.size(), 2);
   for (std::size_t k = 0; k < 2; ++k) {
-    expect_same(pattern.panels[k], again.panels[k], 5e-6);
+    expect_same(pattern.panels[k], again.panels[k], 2e-6);
     expect_same_placement(pattern.panels[k], again.panels[k], 1e-9);
   }
   expect_same_stitches(pattern, again);

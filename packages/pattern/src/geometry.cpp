@@ -50,9 +50,10 @@ std::string reason(bg::validity_failure_type failure, const std::string& detail)
   }
 }
 
+using Line = bg::model::linestring<Point>;
+
 /// The library lets a hole touch the outline in single points; a mesh does not.
 std::string touching(const Panel& panel) {
-  using Line = bg::model::linestring<Point>;
   std::vector<Line> lines;
   const auto add = [&lines](const Loop& loop) {
     const Polygon::ring_type points = ring(loop);
@@ -84,9 +85,13 @@ bool lies_on(const Panel& panel, const Vec2& point) {
 std::string why_invalid(const Panel& panel) {
   Polygon polygon{ring(panel.outline)};
   for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  if (const std::string problem = touching(panel); !problem.empty()) return problem;
   std::string detail;
   bg::validity_failure_type failure{};
-  if (bg::is_valid(polygon, failure)) return touching(panel);
+  if (bg::is_valid(polygon, failure)) return "";
+  // A figure of eight has no orientation.
+  if (failure == bg::failure_wrong_orientation && !bg::is_simple(Line(polygon.outer().begin(), polygon.outer().end())))
+    failure = bg::failure_self_intersections;
   bg::is_valid(polygon, detail);
   return reason(failure, detail);
 }

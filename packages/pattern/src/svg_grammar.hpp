@@ -20,7 +20,7 @@ struct ArcNumbers : seq<Number, Gap, Number, Gap, Number, Gap, Flag, Gap, Flag, 
 
 /// One set of arguments of the command whose letter came last.
 template <class Arguments>
-struct Step : Arguments {};
+struct Step : seq<Arguments> {};
 struct Close : one<'Z', 'z'> {};
 template <class Arguments, char... letters>
 struct Letter : one<letters...> {};

@@ -79,7 +79,8 @@ pugi::xml_node add_path(pugi::xml_node parent, const char* kind, const std::stri
   return path;
 }
 
-void add_text(pugi::xml_node parent, const Vec2& at, const std::string& words, double size, const char* colour) {
+pugi::xml_node add_text(pugi::xml_node parent, const Vec2& at, const std::string& words, double size,
+                        const char* colour) {
   pugi::xml_node text = parent.append_child("text");
   text.append_attribute(svg_key::kind) = "drawing";
   text.append_attribute("x") = number_text(at.x()).c_str();
@@ -90,6 +91,7 @@ void add_text(pugi::xml_node parent, const Vec2& at, const std::string& words, d
   text.append_attribute("dominant-baseline") = "middle";
   text.append_attribute("fill") = colour;
   text.text() = words.c_str();
+  return text;
 }
 
 /// Draws the panels of a pattern as children of an element whose units are mm of the drawing.
@@ -154,7 +156,11 @@ class Drawing {
     path.append_attribute("id") = id_of(panel.name + "." + edge.name).c_str();
     path.append_attribute(svg_key::name) = edge.name.c_str();
     const Vec2 at = edge.curve.at(0.5), t = edge.curve.tangent(0.5);
-    add_text(group, flipped(Vec2(at + 6.0 * Vec2(-t.y(), t.x()))), edge.name, 4.0, "#555555");
+    const Vec2 place = flipped(Vec2(at + 4.0 * Vec2(-t.y(), t.x())));
+    // Along the edge, and not upside down.
+    const double angle = std::atan(-t.y() / t.x()) * 180.0 / M_PI;
+    add_text(group, place, edge.name, 4.0, "#555555").append_attribute("transform") =
+        ("rotate(" + number_text(angle) + " " + text_of(place) + ")").c_str();
     return path;
   }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,7 +64,8 @@ class Curve {
   /// Between two relative arc lengths, from < to.
   Curve part(double from, double to) const;
 
-  const std::vector<Segment>& segments() const { return segments_; }
+  const std::vector<Segment>& segments() const& { return segments_; }
+  std::vector<Segment> segments() && { return std::move(segments_); }
   /// Relative arc lengths of inner points where the tangent jumps by more than `angle` (radians).
   std::vector<double> corners(double angle) const;
   /// Points along the curve, its ends included, no further from it than `tolerance` (mm).
