@@ -32,6 +32,7 @@ find_path(PEGTL_INCLUDE tao/pegtl.hpp REQUIRED)
 toile_library(pegtl INCLUDE ${PEGTL_INCLUDE})
 find_package(Boost REQUIRED COMPONENTS serialization)
 toile_library(boost LINK Boost::headers)
+target_compile_definitions(toile_lib_boost INTERFACE BOOST_ALLOW_DEPRECATED_HEADERS)  # which it includes itself
 find_library(GMSH_LIBRARY gmsh REQUIRED)
 find_path(GMSH_INCLUDE gmsh.h REQUIRED)
 toile_library(gmsh INCLUDE ${GMSH_INCLUDE} LINK ${GMSH_LIBRARY})

@@ -65,7 +65,7 @@ Fractions line_ends(const Cut& cut, const std::string& name, const pattern::Curv
   return all;
 }
 
-std::vector<SeededEdge> edges(const base::List& panel, const Cut& cut) {
+std::vector<SeededEdge> free_edges(const base::List& panel, const Cut& cut) {
   const std::map<std::string, const pattern::Curve*> curves = curves_of(cut);
   std::map<std::string, double> finer;
   for (const base::List& place : finer_places(panel)) {
@@ -218,7 +218,7 @@ mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::ma
 }  // namespace
 
 Mesher free_mesher() {
-  return {free_spec(), edges, mesh_area};
+  return {free_spec(), free_edges, mesh_area};
 }
 
 }  // namespace toile::garment

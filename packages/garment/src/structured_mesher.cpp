@@ -52,7 +52,7 @@ mesh::FourSides sides_of(const base::List& panel, const Cut& cut) {
   return {side("bottom"), side("right"), side("top"), side("left")};
 }
 
-std::vector<SeededEdge> edges(const base::List& panel, const Cut& cut) {
+std::vector<SeededEdge> structured_edges(const base::List& panel, const Cut& cut) {
   const mesh::GridOptions options = options_of(panel);
   std::vector<SeededEdge> all;
   for (const pattern::Edge& edge : cut.panel.outline) {
@@ -78,7 +78,7 @@ mesh::PanelMesh mesh_rows(const base::List& panel, const Cut& cut, const std::ma
 }  // namespace
 
 Mesher structured_mesher() {
-  return {structured_spec(), edges, mesh_rows};
+  return {structured_spec(), structured_edges, mesh_rows};
 }
 
 }  // namespace toile::garment
