@@ -85,7 +85,7 @@ bool lies_on(const Panel& panel, const Vec2& point) {
 std::string why_invalid(const Panel& panel) {
   Polygon polygon{ring(panel.outline)};
   for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
-  if (const std::string problem = touching(panel); !problem.empty()) return problem;
+  if (std::string problem = touching(panel); !problem.empty()) return problem;
   std::string detail;
   bg::validity_failure_type failure{};
   if (bg::is_valid(polygon, failure)) return "";
