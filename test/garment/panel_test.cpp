@@ -195,7 +195,7 @@ TEST(Panel, Discs) {
   Teuchos::ParameterList& entry = test::add_panel(panels, "drum", "disc", 4, 4);
   entry.set("radius", 20.0);
   const mesh::PanelMesh whole = build(panels).mesh;
-  for (const int id : whole.column(0)) EXPECT_NEAR(whole.nodes[id].norm(), 20.0, 1e-12);
+  for (const int id : whole.edges.at("left")) EXPECT_NEAR(whole.nodes[id].norm(), 20.0, 1e-12);
   EXPECT_NEAR((whole.nodes[whole.node(2, 0)] - mesh::Vec2(0.0, -20.0)).norm(), 0.0, 1e-12);
   entry.set("shape", std::string("quarter disc"));
   const mesh::PanelMesh quarter = build(panels).mesh;

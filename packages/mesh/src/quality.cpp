@@ -7,13 +7,13 @@
 namespace toile::mesh {
 namespace {
 
-void add_element(const PanelMesh& panel, const int* nodes, int corners, Quality& quality) {
-  const auto at = [&](int k) -> const Vec2& { return panel.nodes[static_cast<std::size_t>(nodes[k % corners])]; };
+void add_element(const PanelMesh& panel, const int* nodes, int sides, Quality& quality) {
+  const auto at = [&](int k) -> const Vec2& { return panel.nodes[static_cast<std::size_t>(nodes[k % sides])]; };
   double least = std::numeric_limits<double>::infinity(), most = -least, shortest = least, longest = 0.0;
   double smallest_angle = 360.0;
   Vec2 centre = Vec2::Zero();
-  for (int k = 0; k < corners; ++k) {
-    const Vec2 next = at(k + 1) - at(k), last = at(k + corners - 1) - at(k);
+  for (int k = 0; k < sides; ++k) {
+    const Vec2 next = at(k + 1) - at(k), last = at(k + sides - 1) - at(k);
     const double cross = next.x() * last.y() - next.y() * last.x();
     const double angle = std::atan2(cross, next.dot(last)) * 180.0 / M_PI;
     smallest_angle = std::min(smallest_angle, angle);
@@ -22,7 +22,7 @@ void add_element(const PanelMesh& panel, const int* nodes, int corners, Quality&
     most = std::max(most, cross);
     shortest = std::min(shortest, next.norm());
     longest = std::max(longest, next.norm());
-    centre += at(k) / corners;
+    centre += at(k) / sides;
   }
   if (smallest_angle < quality.smallest_angle) {
     quality.smallest_angle = smallest_angle;
