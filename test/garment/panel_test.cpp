@@ -106,8 +106,9 @@ TEST(Panel, ProfileHasItsWidths) {
 TEST(Panel, CrossingOutlineIsRefused) {
   const auto panels = quadrangle({0, 0, 100, 0}, {100, 0, 20, 100}, {80, 100, 20, 100}, {0, 0, 80, 100});
   const std::string message = input_error([&panels] { build(panels); });
-  EXPECT_THAT(message, HasSubstr("panel \"front\": it overlaps itself near (50, 62.5) mm of its pattern; its outline must "
-                                 "not cross or touch itself"));
+  EXPECT_THAT(message,
+              HasSubstr("panel \"front\": it overlaps itself near (50, 62.5) mm of its pattern; its outline must "
+                        "not cross or touch itself"));
   EXPECT_THAT(message, HasSubstr("scene.xml"));
 }
 

@@ -193,8 +193,7 @@ TEST(FourSided, DistortionKeepsTheOutline) {
 TEST(FourSided, FoldedMapIsRefused) {
   const Curve deep = Curve::spline({{0.0, 0.0}, {50.0, 95.0}, {100.0, 0.0}});
   const FourSides sides{deep, line({100.0, 0.0}, {100.0, 100.0}),
-                        Curve::spline({{0.0, 100.0}, {50.0, 60.0}, {100.0, 100.0}}),
-                        line({0.0, 0.0}, {0.0, 100.0})};
+                        Curve::spline({{0.0, 100.0}, {50.0, 60.0}, {100.0, 100.0}}), line({0.0, 0.0}, {0.0, 100.0})};
   try {
     mesh_four_sided("sleeve", sides, options(8, 8));
     FAIL() << "no error";

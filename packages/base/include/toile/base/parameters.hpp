@@ -75,7 +75,8 @@ class Spec {
   Spec& list(Spec spec, bool is_required = false);
   /// Any number of lists with free names inside this one, all of the same description; at least `least` of them.
   Spec& entries(Spec spec, int least = 0);
-  /// The text parameter `selector` picks which further parameters and lists are valid (for instance "type").
+  /// The text parameter `selector` picks which further parameters and lists are valid (for instance "type"). A list may
+  /// have several.
   Spec& variant(const std::string& selector, const std::string& text, std::vector<Spec> variants,
                 Value fallback = required);
 
@@ -85,8 +86,8 @@ class Spec {
   const std::vector<std::pair<Spec, bool>>& lists() const { return lists_; }
   const std::shared_ptr<Spec>& entry() const { return entry_; }
   int least_entries() const { return least_entries_; }
-  const std::string& selector() const { return selector_; }
-  const std::vector<Spec>& variants() const { return variants_; }
+  /// Each selector with its variants.
+  const std::vector<std::pair<std::string, std::vector<Spec>>>& variants() const { return variants_; }
 
  private:
   std::string name_;
@@ -95,8 +96,7 @@ class Spec {
   std::vector<std::pair<Spec, bool>> lists_;  ///< with: is it required
   std::shared_ptr<Spec> entry_;
   int least_entries_ = 0;
-  std::string selector_;
-  std::vector<Spec> variants_;
+  std::vector<std::pair<std::string, std::vector<Spec>>> variants_;
 };
 
 /// A validated list: every name in it is declared, every value has its type and range, defaults are filled in.
