@@ -24,7 +24,7 @@ section() {  # title, text, test and its arguments
     "The same with pressures that range over 4 : 1; independence of the contact stiffness; the body as unstructured triangles of 5 mm, the garment not aligned with them." \
     contact_ellipse_test
   section "Pressure on any mesh" \
-    "Seven kinds of mesh: aligned with the body, a square lattice turned by 30 degrees, nodes moved by 25 %, free triangles, free quadrilaterals, and both with sizes 1 : 3; on cylinder, ellipse and ellipsoid, three fabrics. Root mean square over all nodes, rate from 8 mm, largest error away from the ends (in brackets that of nodal force over area), sum of pressure times area, and the effectivity of pressure_error: its root mean square over that of the error." \
+    "Seven kinds of mesh: aligned with the body, a square lattice turned by 30 degrees, nodes moved by 25 %, free triangles, free quadrilaterals, and both with sizes 1 : 3; on cylinder, ellipse and ellipsoid, three fabrics. Root mean square over all nodes, rate from 8 mm, largest error away from the ends (in brackets that of nodal force over area), sum of pressure times area, and the effectivity of pressure_error: its root mean square over that of the error, and the part of the nodes that twice of it covers." \
     contact_meshes_test
   section "Pressure where more happens" \
     "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \

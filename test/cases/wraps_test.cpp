@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <sstream>
 
 #include "app/exodus.hpp"
@@ -169,6 +170,28 @@ TEST_F(Wraps, AKneeIsOnePanel) {
                 0.03 * 1000.0 * tension / 40.0)
         << i;
   }
+}
+
+// The shipped knee runs as it is. On shin and thigh, where the limb is straight, the mean pressure is the hoop tension
+// over the radius (Laplace); over the knee the tension along the limb adds to it.
+TEST_F(Wraps, TheShippedKneeRunsAsItIs) {
+  const Outcome run = toile("run " TOILE_SOURCE_DIR "/input/knee.xml --output results");
+  ASSERT_EQ(run.status, 0) << run.err;
+  std::map<std::string, std::vector<double>> levels;  // height, mean pressure in kPa and mmHg, ..., Laplace in kPa
+  std::istringstream csv(read("results/pressure-levels.csv"));
+  std::string line, cell;
+  std::getline(csv, line);
+  while (std::getline(csv, line)) {
+    std::istringstream row(line);
+    std::getline(row, cell, ',');
+    std::vector<double>& numbers = levels[cell];
+    while (numbers.size() < 8 && std::getline(row, cell, ',')) numbers.push_back(std::stod(cell));
+  }
+  constexpr size_t pressure = 1, laplace = 7;
+  for (const char* straight : {"shin", "thigh"})
+    EXPECT_NEAR(levels[straight].at(pressure), levels[straight].at(laplace), 2e-3 * levels[straight].at(laplace))
+        << straight;
+  EXPECT_GT(levels["knee"].at(pressure), 1.1 * levels["knee"].at(laplace));
 }
 
 // With coverage 1 both sides of the seam coincide at the start: sewing has nothing to close, and ends where a sleeve of

@@ -89,6 +89,31 @@ TEST(Recovery, IsExactForALinearTension) {
   EXPECT_EQ(recovery.bridged, 0);
 }
 
+// A part of the tension that changes its sign within each element, as that of linear shape functions has, does not
+// move the pressure, at edges and corners either.
+TEST(Recovery, IsNotMovedByWhatChangesItsSignWithinAnElement) {
+  Patch patch(uniform);
+  for (const FabricElement& element : patch.elements)
+    for (int q = 0; q < element.points; ++q)
+      patch.points[static_cast<size_t>(element.first_point + q)].tension *= q % 2 == 0 ? 1.1 : 0.9;
+  for (const contact::SitePressure& site : contact::recover(patch).site)
+    EXPECT_NEAR(site.pressure, uniform(0.0) / radius, 1e-10 * uniform(0.0) / radius);
+}
+
+// Where a few elements are bad, no pressure is told to be much better than all are in the mean: their tensions are in
+// balance with each other.
+TEST(Recovery, TellsTheErrorOfTheRestEverywhere) {
+  Patch patch(uniform);
+  double largest = 0.0, least = 1e9;
+  for (int i = 0; i < 4; ++i) patch.points[static_cast<size_t>(i)].laid *= 1.5;  // of the first element
+  for (const contact::SitePressure& site : contact::recover(patch).site) {
+    largest = std::max(largest, site.error);
+    least = std::min(least, site.error);
+  }
+  EXPECT_GT(largest, 0.0);
+  EXPECT_GE(least, 0.25 * largest);
+}
+
 // A load that pulls the fabric off the body takes its pressure from that of the tension.
 TEST(Recovery, TakesThePressureOfLoads) {
   Patch patch(uniform);

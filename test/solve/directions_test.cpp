@@ -235,5 +235,20 @@ TEST(AlongTheLimb, AHemOnAConeCarriesTheAxialForceOfThePressure) {
   EXPECT_NEAR(pressed, -axial, 4e-3 * std::abs(axial));
 }
 
+// Over two meshes that force extrapolates (second order) to that of the smooth sleeve, which the first integral along
+// the meridian (stretch times stress less energy is constant) gives by quadrature.
+TEST(AlongTheLimb, AHemOnAConeCarriesTheForceOfTheSmoothSleeve) {
+  double axial[2];
+  for (const int fine : {0, 1}) {
+    const Sleeve sleeve = sleeve_on_cone(32 << fine, 12 << fine);
+    Recorded r(sleeve.problem);
+    r.simulation.set_start(closed_start(sleeve.problem));
+    r.simulation.run(stage(solve::StageType::settle));
+    axial[fine] = r.last().balance.support[0].z();
+  }
+  constexpr double smooth = 0.694812565;  // N
+  EXPECT_NEAR((4.0 * axial[1] - axial[0]) / 3.0, smooth, 1e-4 * smooth);
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -64,9 +64,9 @@ MeshErrors errors_of(const PatternSleeve& sleeve, double size) {
 void print_row(const std::string& mesh, const std::string& reference, double size, const MeshErrors& e, double rate) {
   print(
       "%-22s %-18s %g mm  rms %.3f %%  rate %.2f  largest %.2f %%  (force/area %.1f %%)  sum %+.3f %%  effectivity "
-      "%.2f\n",
+      "%.2f  covers %.0f %%\n",
       mesh.c_str(), reference.c_str(), size, 100.0 * e.rms, rate, 100.0 * e.largest, 100.0 * e.nodal_force,
-      100.0 * e.force, e.effectivity);
+      100.0 * e.force, e.effectivity, 100.0 * e.covered);
 }
 
 MeshErrors solved(const ContactReference& reference, const std::string& mesh, double size) {
@@ -76,6 +76,7 @@ MeshErrors solved(const ContactReference& reference, const std::string& mesh, do
   EXPECT_EQ(errors.lost, 0) << "nodes without pressure";
   EXPECT_GE(errors.effectivity, 0.5);
   EXPECT_LE(errors.effectivity, 3.5);
+  EXPECT_GE(errors.covered, 0.85);
   return errors;
 }
 
@@ -99,7 +100,8 @@ double largest_rms(const std::string& mesh) {
 
 // On each kind of mesh with elements of 4 mm the pressure is within 0.3 % (root mean square; graded meshes: 0.5 %) of
 // the exact one, within 2 % at every node away from the ends, and clearly closer than with 8 mm; its sum is that of the
-// exact one within 0.25 %, and the estimate of its error is between a half and 3.5 times the error.
+// exact one within 0.25 %. The estimate of its error is between a half and 3.5 times the error, and twice the estimate
+// is not below the error at 85 % of the nodes.
 TEST_P(PressureOnAnyMesh, IsRightWithItsError) {
   const ContactReference reference("contact_" + GetParam().reference);
   const MeshErrors coarse = solved(reference, GetParam().mesh, 8.0), fine = solved(reference, GetParam().mesh, 4.0);
@@ -108,7 +110,7 @@ TEST_P(PressureOnAnyMesh, IsRightWithItsError) {
   EXPECT_LE(fine.rms, largest_rms(GetParam().mesh));
   EXPECT_LE(fine.largest, 0.02);
   EXPECT_LE(std::abs(fine.force), 0.0025);
-  EXPECT_GE(rate, 1.4);  // of two meshes that chance made
+  EXPECT_GE(rate, 1.6);  // of two meshes that chance made
 }
 
 std::vector<Case> cases() {
@@ -124,20 +126,21 @@ INSTANTIATE_TEST_SUITE_P(Contact, PressureOnAnyMesh, testing::ValuesIn(cases()),
 class PressureOnFreeMeshes : public testing::TestWithParam<Case> {};
 
 // From elements of 8 to elements of 2 mm the pressure converges on free meshes, on which a nodal force over an area
-// does not converge at all: with second order on quadrilaterals of the ellipse; on constant-strain triangles of the
-// ellipsoid, which is curved both ways, between first and second order.
+// does not converge at all: with second order on quadrilaterals of the ellipse, and nearly so on constant-strain
+// triangles of the ellipsoid, which is curved both ways.
 TEST_P(PressureOnFreeMeshes, Converges) {
   const ContactReference reference("contact_" + GetParam().reference);
   const MeshErrors coarse = solved(reference, GetParam().mesh, 8.0), fine = solved(reference, GetParam().mesh, 2.0);
   const double rate = 0.5 * std::log2(coarse.rms / fine.rms);
   print_row(GetParam().mesh, GetParam().reference, 2.0, fine, rate);
-  EXPECT_GE(rate, GetParam().mesh == "quadrilaterals" ? 1.9 : 1.7);
-  EXPECT_LE(fine.rms, 0.0015);
+  EXPECT_GE(rate, GetParam().mesh == "quadrilaterals" ? 1.9 : 1.8);
+  EXPECT_LE(fine.rms, 0.0006);
   EXPECT_GE(fine.nodal_force, 0.1) << "this mesh is too regular to tell anything";
 }
 
 INSTANTIATE_TEST_SUITE_P(Contact, PressureOnFreeMeshes,
                          testing::Values(Case{"quadrilaterals", "ellipse_free_nh"},
+                                         Case{"triangles", "ellipsoid_fix_nh"},
                                          Case{"graded triangles", "ellipsoid_fix_itskov"}),
                          test_name);
 

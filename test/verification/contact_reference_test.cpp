@@ -43,7 +43,7 @@ SleeveOptions options_of(const ContactReference& reference, int level) {
 class SleeveOfRevolution : public testing::TestWithParam<std::string> {};
 
 // The pressure of a sleeve on a body of revolution converges with second order to the semi-analytic one and is within
-// 0.5 % of it; the written field is in balance, and the spin that nothing resists is found.
+// 0.2 % of it; the written field is in balance, and the spin that nothing resists is found.
 TEST_P(SleeveOfRevolution, PressureConvergesWithSecondOrder) {
   const ContactReference reference("contact_" + GetParam());
   std::array<double, levels> error{};
@@ -56,11 +56,12 @@ TEST_P(SleeveOfRevolution, PressureConvergesWithSecondOrder) {
     const double rate = level > 0 ? std::log2(error[level - 1] / error[level]) : NAN;
     print("%-20s %3d x %2d  error %.4f %%  rate %.3f  balance %.1e  gap %.1e mm\n", GetParam().c_str(), sleeve.around,
           sleeve.along, 100.0 * error[level], rate, sleeve.imbalance(), sleeve.largest_gap());
+    // With eight elements along, parts of the error of opposite signs cancel on cones.
     if (level > 0) {
-      EXPECT_GE(rate, 1.9);
+      EXPECT_GE(rate, level > 1 ? 1.9 : 1.5);
     }
   }
-  EXPECT_LE(error.back(), 0.005);
+  EXPECT_LE(error.back(), 0.002);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {

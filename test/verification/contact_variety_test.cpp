@@ -42,7 +42,7 @@ PartError errors_where(const PatternSleeve& sleeve, const Counts& counts, const 
 
 class LiftOff : public testing::TestWithParam<const char*> {};
 
-// A sleeve that bridges a waist has on free meshes the pressure of the reference within 0.5 % away from the line where
+// A sleeve that bridges a waist has on free meshes the pressure of the reference within 0.15 % away from the line where
 // it lifts off, within 6 % (root mean square) beside it, and a sum within 0.6 % of the contact forces.
 TEST_P(LiftOff, HasThePressureOfTheReferenceOnFreeMeshes) {
   const ContactReference reference("contact_waist_nh");
@@ -72,7 +72,7 @@ TEST_P(LiftOff, HasThePressureOfTheReferenceOnFreeMeshes) {
       "isolated %d\n",
       GetParam(), 100.0 * away.rms(), 100.0 * away.largest(), 100.0 * close, 100.0 * (sum / force - 1.0),
       sleeve.fields.isolated_contacts);
-  EXPECT_LE(away.rms(), 0.005);
+  EXPECT_LE(away.rms(), 0.0015);
   EXPECT_LE(close, 0.06);
   EXPECT_LE(std::abs(sum / force - 1.0), 0.006);
 }
@@ -100,8 +100,8 @@ TEST_P(Wrinkled, PressesWithItsTensionField) {
 
 INSTANTIATE_TEST_SUITE_P(Contact, Wrinkled, testing::Values("aligned", "turned", "triangles"));
 
-// On a body of unstructured triangles of 5 mm the pressure on free meshes is within 1 % (root mean square) of that on
-// the ellipse from which they were made, and within 4 % at every node.
+// On a body of unstructured triangles of 5 mm the pressure on free meshes is within 0.5 % (root mean square) of that
+// on the ellipse from which they were made, and within 3 % at every node.
 TEST(FittedBody, HasThePressureOfTheEllipse) {
   const ContactReference reference("contact_ellipse_free_nh");
   body::TriangleMesh triangles = random_triangulation(elliptic_tube(80.0, 50.0, 140.0), 5.0, 1);
@@ -115,8 +115,8 @@ TEST(FittedBody, HasThePressureOfTheEllipse) {
         sleeve, [](size_t) { return true; }, [&](size_t n) { return sleeve.exact(n); });
     print("triangles of 5 mm, %-15s  rms %.3f %%, largest %.2f %%\n", kind, 100.0 * error.rms(),
           100.0 * error.largest());
-    EXPECT_LE(error.rms(), 0.01);
-    EXPECT_LE(error.largest(), 0.04);
+    EXPECT_LE(error.rms(), 0.005);
+    EXPECT_LE(error.largest(), 0.03);
   }
 }
 
@@ -134,7 +134,7 @@ TEST(ShellOnItsInnerFace, HasItsPressureOnAnyMesh) {
         sleeve, [&](size_t n) { return sleeve.from_end(n) > 25.0; }, [&](size_t) { return per_middle; });
     print("shells, %-15s  rms %.3f %%, largest %.2f %%\n", kind, 100.0 * error.rms(), 100.0 * error.largest());
     EXPECT_LE(error.rms(), 0.005);
-    EXPECT_LE(error.largest(), 0.02);
+    EXPECT_LE(error.largest(), 0.006);
   }
 }
 

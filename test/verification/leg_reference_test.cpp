@@ -31,7 +31,8 @@ struct LegCase {
 class ShippedLegPressure : public testing::TestWithParam<LegCase> {};
 
 // The mean pressure at every hosiery level converges over three meshes, of which the finest is the shipped one, to that
-// of an independent solution.
+// of an independent solution; the error that is told is at least a half of the true one, on the two finer meshes and
+// but for C, where the curvature of the leg bends between two rows of nodes.
 TEST_P(ShippedLegPressure, ConvergesToTheIndependentSolution) {
   const ContactReference reference(GetParam().reference);
   std::array<double, elements_along.size()> worst{};
@@ -44,6 +45,9 @@ TEST_P(ShippedLegPressure, ConvergesToTheIndependentSolution) {
       const double error = levels[l].pressure / exact - 1.0;
       print("  %s %.2f (%.2f) %%", level_names[l].c_str(), 100.0 * error, 100.0 * levels[l].error / exact);
       worst[mesh] = std::max(worst[mesh], std::abs(error));
+      if (mesh > 0) {
+        EXPECT_GE(levels[l].error / exact, (level_names[l] == "C" ? 0.2 : 0.5) * std::abs(error)) << level_names[l];
+      }
     }
     print("\n");
   }

@@ -14,6 +14,8 @@ class Patches {
   /// Elements at the site; one ring more where they are fewer than three or the site lies on an edge of its fabric;
   /// `more` rings on top.
   const std::vector<int>& around(int site, int more);
+  /// The site has fewer than three elements or lies on an edge of its fabric.
+  bool few(int site) const { return few_[static_cast<size_t>(site)]; }
   /// Elements at the site.
   const std::vector<int>& at(int site) const { return at_[static_cast<size_t>(site)]; }
 

@@ -48,9 +48,11 @@ class Recoverer {
   bool presses(size_t c);
   void classify();
   std::vector<double> untilted() const;
+  const std::vector<int>* wide_patch(int site);
   std::optional<SitePressure> fitted(int site);
   double load(int site) const;
   void average_errors();
+  double relative_error() const;
 
   const FabricInContact& fabric_;
   Patches patches_;
@@ -159,6 +161,23 @@ std::vector<double> Recoverer::untilted() const {
   return force;
 }
 
+/// The most rings, up to two more, over which the fabric turns so little that a quadratic fit in the tangent plane
+/// makes sense; none if there are none.
+const std::vector<int>* Recoverer::wide_patch(int site) {
+  constexpr double least_cosine = 0.77;  // 40 degrees
+  if (patches_.at(site).size() < 2) return nullptr;
+  const Vec3& normal = cluster(site).surface.normal;
+  for (const int more : {2, 1}) {
+    const std::vector<int>& patch = patches_.around(site, patches_.few(site) ? 1 : more);
+    const bool turns = std::any_of(patch.begin(), patch.end(), [&](int e) {
+      const FabricElement& element = fabric_.elements[static_cast<size_t>(e)];
+      return std::abs(point_of(element, 0).normal.dot(normal)) < least_cosine;
+    });
+    if (!turns) return &patch;
+  }
+  return nullptr;
+}
+
 /// Nothing if the elements around it do not tell.
 std::optional<SitePressure> Recoverer::fitted(int site) {
   const ContactCluster& at = cluster(site);
@@ -167,8 +186,10 @@ std::optional<SitePressure> Recoverer::fitted(int site) {
   if (!mean) return std::nullopt;
   const double linear = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(*mean);
   const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
-  const double quadratic = fitted_pressure(fabric_, patches_.around(site, 1), at, Tension::of_facet, 2).value_or(*mean);
-  return SitePressure{linear - load(site), std::abs(quadratic - linear) + std::abs(laid - linear)};
+  double best = linear;
+  if (const std::vector<int>* wide = wide_patch(site))
+    best = fitted_pressure(fabric_, *wide, at, Tension::of_facet, 2).value_or(linear);
+  return SitePressure{best - load(site), std::abs(best - linear) + std::abs(laid - linear)};
 }
 
 /// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
@@ -220,6 +241,18 @@ void Recoverer::average_errors() {
   for (size_t s = 0; s < square.size(); ++s) out_.site[s].error = std::sqrt(square[s]);
 }
 
+/// Root mean square of the errors over that of the pressures, away from the border of contact.
+double Recoverer::relative_error() const {
+  double error = 0.0, pressure = 0.0;
+  for (size_t s = 0; s < out_.site.size(); ++s) {
+    if (place(static_cast<int>(s)) != Place::inside) continue;
+    const double area = cluster(static_cast<int>(s)).area;
+    error += area * out_.site[s].error * out_.site[s].error;
+    pressure += area * out_.site[s].pressure * out_.site[s].pressure;
+  }
+  return pressure > 0.0 ? std::sqrt(error / pressure) : 0.0;
+}
+
 Recovery Recoverer::run() {
   out_.site.assign(fabric_.site_cluster.size(), {});
   find_places();
@@ -238,10 +271,15 @@ Recovery Recoverer::run() {
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;
   }
+  for (SitePressure& site : out_.site) site.pressure = std::max(0.0, site.pressure);
+  // What coarse elements do wrong to the tension, they do to all that it is in balance with: no pressure is much more
+  // accurate, for its size, than the rest.
+  constexpr double part = 0.6;
+  const double least = part * relative_error();
   average_errors();
   for (size_t s = 0; s < fabric_.site_cluster.size(); ++s) {
     SitePressure& site = out_.site[s];
-    site.pressure = std::max(0.0, site.pressure);
+    site.error = std::max(site.error, least * site.pressure);
     if (!touches(static_cast<int>(s))) site = {};
     if (unknown[s]) site.error = site.pressure;
   }

@@ -146,13 +146,13 @@ void Scene::build_problem(const base::List& list, int ranks) {
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
-  solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto loads = optional_list(list, "Loads")) {
     solve::Loads read = solve::read_loads(*loads, garment_.mesh);
     problem_.loads = std::move(read.nodal);
     problem_.pressures = std::move(read.pressures);
     check_shells_of_moments(*loads);
   }
+  solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto contact = optional_list(list, "Contact")) {
     if (surface_ == nullptr)
       throw base::InputError(contact->file() + ": " + contact->path() +

@@ -31,6 +31,9 @@ void find_path_targets(const base::List& list, const Problem& problem, std::vect
     if (!stages[k].until) continue;
     const base::List until = entries[k].list("Until");
     PathTarget& target = *stages[k].until;
+    if (target.volume && problem.pressures.empty())
+      until.fail("quantity", "\"volume\" is swept by panels under pressure, and the list \"Loads\" has no pressure");
+    if (target.volume) continue;
     if (target.support >= 0)
       target.support = find_support(until, problem);
     else

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "swept_volume.hpp"
+
 namespace toile::solve {
 
 namespace {
@@ -25,6 +27,7 @@ double TargetSearch::measure(const Vector& z, double s) {
   if (target_.support >= 0)
     return equilibrium_->balance(z, s).support[static_cast<size_t>(target_.support)][target_.direction];
   const State state = equilibrium_->state(z, s);
+  if (target_.volume) return swept_volume(problem_, state);
   const Vec3 now = node_position(problem_, state, cluster_of(problem_, target_.node), target_.node);
   return (now - problem_.mesh->placed[target_.node])[target_.direction];
 }

@@ -19,16 +19,12 @@ RCP<Vector> difference(const Vector& a, const Vector& b) {
 PathWatch::PathWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options)
     : equilibrium_(std::move(equilibrium)), stage_(stage), options_(options) {}
 
-// The path points along its last secant. What lies within the length of the predicted step from it is a bend.
-bool PathWatch::suspect(const Vector& z, double s, int iterations) const {
-  constexpr int many = 25;  // thin shells take up to 20 on their path
-  constexpr double bend = 1.0;
-  if (iterations >= many) return true;
-  if (change_.is_null() || interval_ <= 0.0) return false;
-  const double scale = (s - s_) / interval_;
+double PathWatch::bend(const Vector& z, double s) const {
+  if (change_.is_null() || interval_ <= 0.0) return 0.0;
+  const double scale = (s - s_) / interval_, predicted = scale * equilibrium_->distance(*change_);
   const RCP<Vector> off = difference(z, *last_);
   off->update(-scale, *change_, 1.0);
-  return equilibrium_->distance(*off) > bend * scale * equilibrium_->distance(*change_);
+  return predicted > 0.0 ? equilibrium_->distance(*off) / predicted : 0.0;
 }
 
 // Where Newton's method does not find the way back, nothing is proven.
@@ -45,12 +41,26 @@ bool PathWatch::returns(const Vector& z, double s) {
   return off <= same * step;
 }
 
+// A leap is no bend: the garment moves ten times as far as the path pointed, and noticeably. Newton's method may find
+// the way back from it, if the other branch does not reach to where the step began; shorter steps separate the two.
+bool PathWatch::leaps(const Vector& z, double off) const {
+  constexpr double far = 10.0, noticeable = 0.1;
+  return off > far && equilibrium_->distance(*difference(z, *last_)) >
+                          noticeable * equilibrium_->distance(*difference(*last_, *start_));
+}
+
 bool PathWatch::accepts(const Vector& z, double s, int iterations) {
+  constexpr int many = 25;       // thin shells take up to 20 on their path
+  constexpr double sharp = 1.0;  // what lies within the length of the predicted step from it is a bend
   left_ = false;
-  if (last_.is_null() || s <= s_ || !suspect(z, s, iterations)) return true;
-  if (returns(z, s)) return true;
-  const double narrow = std::max(2.0 * stage_.smallest_step, 0.1 * stage_.first_step);
-  if (s - s_ > narrow) return false;
+  if (last_.is_null() || s <= s_) return true;
+  const double off = bend(z, s);
+  const bool damped = stage_.damping.active;  // passes jumps: there they are told, not cut back
+  if ((damped || iterations < many) && off <= sharp) return true;
+  const bool leap = leaps(z, off), same = returns(z, s);
+  if (same && !leap) return true;
+  const double narrow = std::max(2.0 * stage_.smallest_step, (same ? 0.01 : 0.1) * stage_.first_step);
+  if (!damped && s - s_ > narrow) return false;
   left_ = true;
   return true;
 }
@@ -62,6 +72,7 @@ bool PathWatch::accepted(const Vector& z, double s) {
   change_ = follows ? difference(z, *last_) : Teuchos::null;
   interval_ = follows ? s - s_ : 0.0;
   last_ = rcp(new Vector(z, Teuchos::Copy));
+  if (start_.is_null()) start_ = last_;
   s_ = s;
   left_ = false;
   return jumped;
@@ -70,28 +81,26 @@ bool PathWatch::accepted(const Vector& z, double s) {
 void PathWatch::note(const Vector& z, double s) {
   const State before = equilibrium_->state(*last_, s_), after = equilibrium_->state(z, s);
   const bool sews = stage_.type == StageType::sew;
-  Jump jump{sews ? before.seam : before.load, sews ? after.seam : after.load, 0.0, Vec3::Zero()};
-  for (size_t c = 0; c < after.position.size(); ++c) {
-    const double moved = (after.position[c] - before.position[c]).norm();
-    if (moved > jump.distance) jump = {jump.from, jump.to, moved, before.position[c]};
-  }
-  if (!largest_ || jump.distance > largest_->distance) largest_ = jump;
+  const Jump jump{sews ? before.seam : before.load, sews ? after.seam : after.load, furthest_move(before, after)};
+  if (!largest_ || jump.move.distance > largest_->move.distance) largest_ = jump;
   if (++jumps_ == 1) first_ = jump.from;
   end_ = jump.to;
 }
 
 std::string PathWatch::warning() const {
   if (!largest_) return {};
-  const bool sews = stage_.type == StageType::sew;
-  const Vec3& at = largest_->at;
+  const bool sews = stage_.type == StageType::sew, damped = stage_.damping.active;
+  const Vec3& at = largest_->move.at;
   std::ostringstream out;
   out << "between " << (sews ? "closing " : "load ") << largest_->from << " and " << largest_->to
       << " the garment left its path of equilibria and jumped to another branch: the point at (" << at[0] << ", "
-      << at[1] << ", " << at[2] << ") mm moved by " << largest_->distance
-      << " mm at once, shorter steps do not follow, and the way back does not return";
+      << at[1] << ", " << at[2] << ") mm moved by " << largest_->move.distance << " mm at once";
+  if (!damped) out << ", which shorter steps do not follow";
   if (jumps_ > 1) out << " (the largest of " << jumps_ << " jumps between " << first_ << " and " << end_ << ")";
   out << ". The states after it are equilibria, but which branch is met depends on the steps";
-  if (sews)
+  if (damped)
+    out << " and the damping, with which such a jump is dynamic. Try another \"first step\" and \"fraction\"";
+  else if (sews)
     out << "; \"Damping\" passes it slowly";
   else
     out << ": continuation in the load cannot follow a path over a limit point. \"continuation\" = \"arc length\" "

@@ -5,15 +5,17 @@
 #include <string>
 
 #include "continuation.hpp"
+#include "furthest_move.hpp"
 
 namespace toile::solve {
 
-/// Watches a stage that goes step by step in the load without damping, and finds the steps that leave the path of
-/// equilibria for another branch.
+/// Watches a stage that goes step by step in the load, and finds the steps that leave the path of equilibria for
+/// another branch.
 ///
 /// A step that needs many iterations, or ends far from where the path pointed, is suspect. It is proven by the way
 /// back: from its end to the load at which it began. On the same branch that leads to where the step began; from
-/// another branch it does not, because that one goes on below the load at which it was entered (hysteresis).
+/// another branch it does not, because that one goes on below the load at which it was entered (hysteresis). A step
+/// that goes ten times as far as the path pointed is a jump however it is short.
 class PathWatch {
  public:
   PathWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options);
@@ -27,17 +29,20 @@ class PathWatch {
   std::string warning() const;
 
  private:
-  bool suspect(const Vector& z, double s, int iterations) const;
+  /// How far (z, s) lies from where the last secant points, over the length of the predicted step; 0: not known.
+  double bend(const Vector& z, double s) const;
+  bool leaps(const Vector& z, double off) const;
   bool returns(const Vector& z, double s);
   void note(const Vector& z, double s);
 
   struct Jump {
-    double from, to, distance;  ///< loads (or closings), mm
-    Vec3 at;                    ///< that moved furthest, before
+    double from, to;  ///< loads (or closings)
+    FurthestMove move;
   };
   std::shared_ptr<Equilibrium> equilibrium_;
   StageOptions stage_;
   NewtonOptions options_;
+  RCP<const Vector> start_;   ///< of the stage
   RCP<const Vector> last_;    ///< accepted; null before the stage's start
   RCP<const Vector> change_;  ///< from the one before, the last step; null: not known
   double s_ = 0.0, interval_ = 0.0;

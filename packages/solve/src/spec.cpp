@@ -55,22 +55,32 @@ Spec damping_spec() {
 }
 
 Spec until_spec() {
-  return Spec("Until",
-              "Of arc length: the stage ends where the quantity first has the value, on falling branches too, instead "
-              "of where the load first reaches \"target\" (which then only scales the steps). Left out: the load.")
-      .choice("quantity",
-              "displacement: of a node from where it is placed; reaction: force of a support on the garment.",
-              {"displacement", "reaction"}, std::string("displacement"))
-      .word("on", "Name of a corner (front.top-left) or of a place (front.top@0.5); of a reaction: of a support.")
-      .choice("direction", "Component of the displacement or of the force.", {"x", "y", "z"})
-      .real("value", "mm, N", "At which the stage ends.");
+  Spec displacement("displacement", "Of a node from where it is placed.");
+  displacement.word("on", "Name of a corner (front.top-left) or of a place (front.top@0.5).")
+      .choice("direction", "Component of the displacement.", {"x", "y", "z"})
+      .real("value", "mm", "At which the stage ends.");
+  Spec reaction("reaction", "Force of a support on the garment.");
+  reaction.word("on", "Name of the support.")
+      .choice("direction", "Component of the force.", {"x", "y", "z"})
+      .real("value", "N", "At which the stage ends.");
+  Spec volume("volume",
+              "Volume that all panels under pressure have swept along their normals since they were placed: of a "
+              "closed part, or one whose edges are held or slide in planes, the change of what it encloses.");
+  volume.real("value", "mm^3", "At which the stage ends.");
+  Spec until("Until",
+             "Of arc length: the stage ends where the quantity first has the value, on falling branches too, instead "
+             "of where the load first reaches \"target\" (which then only scales the steps). Left out: the load.");
+  until.variant("quantity", "What ends the stage.", {displacement, reaction, volume}, std::string("displacement"));
+  return until;
 }
 
 PathTarget read_until(const List& until) {
   PathTarget target;
+  target.value = until.real("value");
+  target.volume = until.word("quantity") == "volume";
+  if (target.volume) return target;
   target.on = until.word("on");
   target.direction = until.word("direction")[0] - 'x';
-  target.value = until.real("value");
   if (until.word("quantity") == "reaction") target.support = 0;
   return target;
 }

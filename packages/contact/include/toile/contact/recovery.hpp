@@ -72,9 +72,9 @@ struct Recovery {
 };
 
 /// The pressure that the fabric's tension makes on the body, recovered at every site: tension x curvature, with the
-/// tension of a linear least-squares fit over the elements around the site, and the curvature of the body's smooth
-/// surface, less the pressure of loads. As accurate as that tension: second order on quadrilaterals, between first and
-/// second on triangles of a body that is curved both ways; a nodal force over an area converges on few meshes. See
+/// tension of a quadratic least-squares fit over the elements around the site, and the curvature of the body's smooth
+/// surface, less the pressure of loads. Of second order, on free triangles nearly; a nodal force over an area converges
+/// on few meshes. See
 /// doc/theory.md, "Pressure".
 ///
 /// Sites at the border of contact, which are loaded on a part of their area, have their force, freed of what the tilt

@@ -35,11 +35,12 @@ enum class StageType {
 
 /// Where a path of arc length ends: a quantity has this value.
 struct PathTarget {
-  std::string on;      ///< a node by name, or a support
-  int node = -1;       ///< of the mesh, whose displacement it is
-  int support = -1;    ///< whose force on the garment it is, if not negative
-  int direction = 2;   ///< x, y, z
-  double value = 0.0;  ///< mm or N
+  bool volume = false;  ///< what panels under pressure sweep, mm^3; then the rest but the value says nothing
+  std::string on;       ///< a node by name, or a support
+  int node = -1;        ///< of the mesh, whose displacement it is
+  int support = -1;     ///< whose force on the garment it is, if not negative
+  int direction = 2;    ///< x, y, z
+  double value = 0.0;   ///< mm, N or mm^3
 };
 
 struct StageOptions {
