@@ -21,8 +21,9 @@ double worst_factor(const std::function<double(double)>& cost, int steps) {
   double worst = 1.0;
   for (int k = 1; k < steps; ++k) {
     clock.reach(static_cast<double>(k) / steps, seconds[static_cast<std::size_t>(k)]);
-    const double ratio = clock.left().value() / (seconds.back() - seconds[static_cast<std::size_t>(k)]);
-    if (k >= 3) worst = std::max({worst, ratio, 1.0 / ratio});
+    const double right = seconds.back() - seconds[static_cast<std::size_t>(k)];
+    const TimeLeft left = clock.left().value();
+    if (k >= 3) worst = std::max({worst, left.most / right, right / left.least});
   }
   return worst;
 }
@@ -46,10 +47,10 @@ TEST(PathClock, FollowsGrowingSteps) {
   clock.reach(0.1, 83.0);
   clock.reach(0.272, 94.0);
   clock.reach(0.559, 100.0);
-  EXPECT_GT(clock.left().value(), 3.0);
-  EXPECT_LT(clock.left().value(), 12.0);  // 6 iterations
+  EXPECT_GT(clock.left().value().least, 3.0);
+  EXPECT_LT(clock.left().value().most, 12.0);  // 6 iterations
   clock.reach(1.0, 106.0);
-  EXPECT_EQ(clock.left().value(), 0.0);
+  EXPECT_EQ(clock.left().value().most, 0.0);
 }
 
 // Nothing is known before the first step, whatever the equilibrium at the start took.
@@ -60,7 +61,47 @@ TEST(PathClock, KnowsNothingBeforeTheFirstStep) {
   clock.reach(0.0, 100.0);
   EXPECT_FALSE(clock.left().has_value());
   clock.reach(0.5, 101.0);
-  EXPECT_DOUBLE_EQ(clock.left().value(), 1.0);
+  EXPECT_DOUBLE_EQ(clock.left().value().least, 1.0);
+  EXPECT_DOUBLE_EQ(clock.left().value().most, 1.0);
+}
+
+/// Whether from step `first` on the time that is left lies between half the least and twice the most estimate.
+void expect_bounded(const std::vector<double>& parameter, const std::vector<double>& seconds, std::size_t first) {
+  PathClock clock;
+  clock.start(0.0);
+  for (std::size_t k = 0; k + 1 < parameter.size(); ++k) {
+    clock.reach(parameter[k], seconds[k]);
+    if (k < first) continue;
+    const double right = seconds.back() - seconds[k];
+    EXPECT_GT(right, 0.5 * clock.left().value().least) << k;
+    EXPECT_LT(right, 2.0 * clock.left().value().most) << k;
+  }
+}
+
+// Steps that are cut back in the middle of the way, and easy again behind it (two stages as recorded, from the hard
+// step on), or ten times slower from there to the end: the time that is left lies between the two that are told.
+TEST(PathClock, TellsTwoTimesWhereStepsWereCutBack) {
+  expect_bounded({0.0, 0.1, 0.261, 0.522, 0.61, 0.749, 0.894, 1.0}, {2.6, 2.8, 3.0, 3.3, 5.0, 5.6, 5.7, 5.8}, 4);
+  expect_bounded({0.0, 0.05, 0.132, 0.249, 0.437, 0.565, 0.747, 1.0}, {2.7, 3.5, 3.7, 3.9, 4.2, 5.1, 5.2, 5.6}, 3);
+  std::vector<double> parameter, seconds;
+  for (int k = 0; k <= 5; ++k) {
+    parameter.push_back(0.1 * k);
+    seconds.push_back(k);
+  }
+  for (int k = 1; k <= 10; ++k) {
+    parameter.push_back(0.5 + 0.05 * k);
+    seconds.push_back(5.0 + 5.0 * k);
+  }
+  expect_bounded(parameter, seconds, 6);
+}
+
+// A line tells one time, or two that are far apart.
+TEST(PathClock, IsToldAsOneTimeOrTwo) {
+  ProgressPoint point;
+  point.left = TimeLeft{4.0, 5.0};
+  EXPECT_NE(progress_line(point).find(", about 4.5 s to 100 %"), std::string::npos);
+  point.left = TimeLeft{4.0, 20.0};
+  EXPECT_NE(progress_line(point).find(", about 4.0 s or 20.0 s to 100 %"), std::string::npos);
 }
 
 // A heartbeat is due when nothing was printed for the interval, and then not before another one has passed.
@@ -95,7 +136,7 @@ TEST(Progress, PrintsAnIteration) {
 
 // The line shows stage, step, load, iterations, elapsed time and time to the end of the stage's path.
 TEST(Progress, PrintsOneLine) {
-  const ProgressPoint point{"sew", 1, 2, 7, 0.5, 0.25, 4, 10.0, false, 30.0};
+  const ProgressPoint point{"sew", 1, 2, 7, 0.5, 0.25, 4, 10.0, false, TimeLeft{30.0, 30.0}};
   EXPECT_EQ(progress_line(point),
             "[1/2] sew: step 7, 50.0 %, load 0.2500, 4 iterations, 10.0 s elapsed, about 30.0 s to 100 %");
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/exodus.hpp"
 #include "app/program.hpp"
 
 namespace toile::test {
@@ -127,6 +128,16 @@ TEST_F(Sections, LayersAddUp) {
   EXPECT_NEAR(value(found, "middle (1+2)", "Laplace T/r [kPa]"), 2.0 * 1.091, 0.004);
   EXPECT_NEAR(value(found, "middle (1+2)", "girth [mm]"), 376.6, 0.1);
   EXPECT_THAT(run.out, HasSubstr("middle (1+2)"));
+  const ExodusStep result(path("out/results.exo"));
+  const std::vector<double> pressure = result.nodal("pressure");
+  constexpr size_t garment = 2 * 41 * 11;  // nodes, the body's behind them
+  int skin = 0;
+  for (size_t n = garment; n < pressure.size(); ++n) {
+    if (std::abs(result.position[2][n] - 100.0) > 20.0) continue;
+    EXPECT_NEAR(pressure[n], 2.0 * 1.0901, 0.01) << n;
+    ++skin;
+  }
+  EXPECT_GT(skin, 100);
 }
 
 // Two legs: a row each with the girth of one, and a curve that is not empty.

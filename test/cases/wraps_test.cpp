@@ -1,6 +1,7 @@
 // Wraps and supports that a new user tried: a bent knee, a coverage of 1, a curved neckline, a hem held along the limb.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -134,21 +135,58 @@ const std::string straight_axis = array("axis bottom", "0, 0, 0") + array("axis 
 
 using Wraps = ProgramTest;
 
+std::vector<std::vector<std::string>> cells_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream text(csv);
+  for (std::string line; std::getline(text, line);) {
+    rows.emplace_back();
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+/// Shin and thigh are cylinders of 40 mm that lie at right angles: a section across either has their girth (on 24
+/// chords 0.3 % less), and the curve has such sections all along the limb, also where it is bent.
+void expect_sections_across_the_limb(const std::string& levels, const std::string& curve) {
+  constexpr double girth = 2.0 * M_PI * 40.0 * 0.997;
+  const std::vector<std::vector<std::string>> rows = cells_of(levels);
+  ASSERT_EQ(rows.size(), 3u) << levels;
+  const auto column = [&](const std::string& name) {
+    return static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+  };
+  for (size_t k = 1; k < rows.size(); ++k) {
+    EXPECT_NEAR(std::stod(rows[k][column("girth [mm]")]), girth, 0.005 * girth) << rows[k][0];
+    EXPECT_EQ(rows[k][column("closed")], "1") << rows[k][0];
+    EXPECT_NEAR(std::stod(rows[k][column("mean pressure [kPa]")]) / std::stod(rows[k][column("Laplace T/r [kPa]")]),
+                1.0, 0.03)
+        << rows[k][0];
+  }
+  const std::vector<std::vector<std::string>> stations = cells_of(curve);
+  EXPECT_GE(stations.size(), 20u) << curve;
+}
+
 // A knee of 90 degrees is wrapped as one panel and solved, its hems held along the limb. On the straight shin, where
 // the limb is a cylinder of 40 mm, the pressure is the tension round it over the radius, with the tension of the
-// deformation that the result has there: neo-Hookean, T = 2 C10 h0 (F F^T - 1/J^2) / J.
+// deformation that the result has there: neo-Hookean, T = 2 C10 h0 (F F^T - 1/J^2) / J. Levels and the pressure curve
+// follow the axis round the knee.
 TEST_F(Wraps, AKneeIsOnePanel) {
   write("knee.obj", knee());
   constexpr int across = 24, along = 24;
-  write("scene.xml",
-        scene(body("knee.obj") + hems("along the limb") +
-              sleeve(220.0, 250.0, across, along,
-                     array("axis",
-                           "0, 0, -100, 0, 0, 0, 0, 6.13, 30.6, 0, 23.4, 56.6, 0, 49.4, 73.9, 0, 80, 80, 0, 190, 80") +
-                         array("zero direction", "0, -1, 0") + real("from", 20.0) + real("to", 270.0) +
-                         real("coverage", 1.0) + real("offset", 0.2))));
+  const std::string axis =
+      array("axis", "0, 0, -100, 0, 0, 0, 0, 6.13, 30.6, 0, 23.4, 56.6, 0, 49.4, 73.9, 0, 80, 80, 0, 190, 80");
+  const auto level = [](const std::string& name, double height) {
+    return "<ParameterList name=\"" + name + "\">" + real("height", height) + "</ParameterList>";
+  };
+  write("scene.xml", scene(body("knee.obj") + hems("along the limb") + "<ParameterList name=\"Output\">" + axis +
+                           R"(<Parameter name="stations" type="int" value="25"/><ParameterList name="Levels">)" +
+                           level("shin", 66.0) + level("thigh", 245.0) + "</ParameterList></ParameterList>" +
+                           sleeve(220.0, 250.0, across, along,
+                                  axis + array("zero direction", "0, -1, 0") + real("from", 20.0) + real("to", 270.0) +
+                                      real("coverage", 1.0) + real("offset", 0.2))));
   const Outcome run = toile("run scene.xml --output results");
   ASSERT_EQ(run.status, 0) << run.err;
+  expect_sections_across_the_limb(read("results/pressure-levels.csv"), read("results/pressure-curve.csv"));
   const ExodusStep result(path("results/results.exo"));
   const std::vector<double> pressure = result.nodal("pressure");
   const auto at = [&](int i, int j) {

@@ -28,10 +28,17 @@ double PathClock::seconds_at(double parameter) const {
   return seconds_[k - 1] + share * (seconds_[k] - seconds_[k - 1]);
 }
 
+// [step] s per unit of the parameter.
+std::vector<double> PathClock::paces() const {
+  std::vector<double> all;
+  for (std::size_t k = 1; k < parameter_.size(); ++k)
+    all.push_back((seconds_[k] - seconds_[k - 1]) / (parameter_[k] - parameter_[k - 1]));
+  return all;
+}
+
 // The cost grows along a line or an exponential, one cannot tell which: the geometric mean of both. Where it falls, as
 // the steps grow, it is taken to stay.
-std::optional<double> PathClock::left() const {
-  if (parameter_.size() < 2) return std::nullopt;
+double PathClock::by_growth() const {
   constexpr double most_growth = 2.5;  // of the cost's logarithm, over the way that is left
   constexpr double no_growth = 1e-6;
   const double way = std::max(0.0, 1.0 - parameter_.back()), half = 0.5 * parameter_.back();
@@ -43,6 +50,20 @@ std::optional<double> PathClock::left() const {
   const double growth = std::min(std::log(now / before) / half, most_growth / way);
   const double exponential = now * std::exp(0.5 * growth * half) * std::expm1(growth * way) / growth;
   return std::sqrt(line * exponential);
+}
+
+std::optional<TimeLeft> PathClock::left() const {
+  if (parameter_.size() < 2) return std::nullopt;
+  constexpr double leap = 3.0;
+  std::vector<double> all = paces();
+  const double last = all.back();
+  bool leaps = false;
+  for (std::size_t k = 1; k < all.size(); ++k) leaps = leaps || all[k] > leap * all[k - 1];
+  const double growing = by_growth();
+  if (!leaps) return TimeLeft{growing, growing};
+  std::sort(all.begin(), all.end());
+  const double way = std::max(0.0, 1.0 - parameter_.back()), easy = way * all[all.size() / 3];
+  return TimeLeft{std::min({growing, easy, way * last}), std::max({growing, easy, way * last})};
 }
 
 bool Heartbeat::due() {
@@ -66,13 +87,24 @@ std::string duration_text(double seconds) {
   return out.str();
 }
 
+namespace {
+
+// Two estimates that are near each other are one.
+std::string left_text(const TimeLeft& left) {
+  constexpr double near = 2.0;
+  if (left.most < near * left.least) return duration_text(std::sqrt(left.least * left.most));
+  return duration_text(left.least) + " or " + duration_text(left.most);
+}
+
+}  // namespace
+
 std::string progress_line(const ProgressPoint& point) {
   std::ostringstream out;
   out << '[' << point.stage_number << '/' << point.stages << "] " << point.stage << ": step " << point.step << ", "
       << std::fixed << std::setprecision(1) << 100.0 * point.parameter
       << (point.final_state ? " % (final state), load " : " %, load ") << std::setprecision(4) << point.load << ", "
       << point.iterations << " iterations, " << duration_text(point.seconds) << " elapsed";
-  if (point.left && *point.left > 0.0) out << ", about " << duration_text(*point.left) << " to 100 %";
+  if (point.left && point.left->most > 0.0) out << ", about " << left_text(*point.left) << " to 100 %";
   return out.str();
 }
 

@@ -4,7 +4,7 @@
 
 namespace toile::body {
 
-SurfacePtr make_surface(const base::List& list, const Region*) {
+SurfacePtr make_surface(const base::List& list, const Region*, BodyFindings*) {
   list.fail("type", "this build of Toile has no bodies and no contact (configured with TOILE_ENABLE_BODY=OFF)");
 }
 

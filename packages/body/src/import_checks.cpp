@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "mesh_geometry.hpp"
@@ -12,6 +13,13 @@
 
 namespace toile::body {
 namespace {
+
+struct Unit {
+  const char* name;
+  double mm;
+};
+
+constexpr std::array<Unit, 5> units{{{"mm", 1.0}, {"cm", 10.0}, {"inches", 25.4}, {"feet", 304.8}, {"m", 1000.0}}};
 
 std::string at(const Vec3& p) {
   std::ostringstream text;
@@ -59,10 +67,6 @@ std::vector<Reading> readings(const Vec3& lengths, const ImportOptions& options)
 
 /// Every unit and height axis that give an allowed height: a wrong one must not be the only answer.
 std::string possible_units(const Vec3& lengths, const ImportOptions& options) {
-  struct Unit {
-    const char* name;
-    double mm;
-  };
   std::ostringstream text;
   text.precision(4);
   for (const Reading& reading : readings(lengths, options)) {
@@ -70,7 +74,7 @@ std::string possible_units(const Vec3& lengths, const ImportOptions& options) {
     if (widest > 1.5 * reading.lengths.z()) {
       continue;
     }
-    for (const Unit& unit : {Unit{"mm", 1.0}, {"cm", 10.0}, {"inches", 25.4}, {"feet", 304.8}, {"m", 1000.0}}) {
+    for (const Unit& unit : units) {
       const double height = unit.mm * reading.lengths.z();
       if (height >= options.least_height && height <= options.greatest_height) {
         text << (text.str().empty() ? "" : "; ") << unit.name << " with " << reading.up << " up ("
@@ -128,6 +132,21 @@ void check_extents(const std::string& file, const PolygonSoup& soup, const Impor
        << "Parameter \"scale\" turns the unit of the file into mm, \"up\" says which axis of the file is the height"
           " (\"up\" = \"z\": it is z, though it is not the longest), \"height range\" what is allowed";
   throw base::InputError(text.str());
+}
+
+std::optional<OtherUnit> person_in_another_unit(double height, double scale) {
+  constexpr double least = 1400.0, greatest = 2100.0;  // mm
+  constexpr double clearly = 1.2;
+  if (height > least / clearly && height < greatest * clearly) {
+    return std::nullopt;
+  }
+  for (const Unit& unit : units) {
+    const double other = height / scale * unit.mm;
+    if (other > least && other < greatest) {
+      return OtherUnit{unit.name, unit.mm, other};
+    }
+  }
+  return std::nullopt;
 }
 
 void check_manifold(const std::string& file, const PolygonSoup& soup) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "polygon_soup.hpp"
@@ -15,6 +16,8 @@ std::string shown_extents(const Vec3& lengths);
 /// Each throws InputError with the file, what was found, where, and what can be done.
 /// The height along z, and what hints at a wrong unit or at a body that lies.
 void check_extents(const std::string& file, const PolygonSoup& soup, const ImportOptions& options);
+/// The unit that would make a person of a body which is none with this scale; none if there is no such unit.
+std::optional<OtherUnit> person_in_another_unit(double height, double scale);
 void check_manifold(const std::string& file, const PolygonSoup& soup);
 void check_closed(const std::string& file, PolygonSoup soup);
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "flat_faces.hpp"
 #include "import_checks.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
@@ -111,7 +112,25 @@ ImportOptions read_import_options(const List& list) {
   return options;
 }
 
-SurfacePtr make_imported(const List& list, const Region* region) {
+/// Refuses a body of flat faces that nothing rounds; returns what else is suspicious of the part in reach.
+BodyFindings look_at(const List& list, const Import& import, const TriangleMesh& mesh) {
+  BodyFindings findings;
+  findings.scale = list.real("scale");
+  findings.height = import.extents.z();
+  if (list.given("scale") && !list.given("height range")) {
+    findings.person = person_in_another_unit(findings.height, findings.scale);
+  }
+  const FlatFaces faces = find_flat_faces(mesh);
+  if (prevail(faces)) {
+    list.fail("file", flat_faces_text(faces));
+  }
+  if (matter(faces)) {
+    findings.warnings.push_back(flat_faces_text(faces));
+  }
+  return findings;
+}
+
+SurfacePtr make_imported(const List& list, const Region* region, BodyFindings* findings) {
   namespace fs = std::filesystem;
   if (list.word("surface") == "facets") {
     list.fail("surface",
@@ -134,6 +153,10 @@ SurfacePtr make_imported(const List& list, const Region* region) {
   TriangleMesh mesh = clip(import.mesh, reach);
   if (mesh.triangles.empty()) {
     list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
+  }
+  const BodyFindings found = look_at(list, import, mesh);
+  if (findings != nullptr) {
+    *findings = found;
   }
   std::string name = fs::path(file).filename().string() + ": " + shown_extents(import.extents) + " mm, " +
                      std::to_string(mesh.triangles.size()) + " of " + std::to_string(all) + " triangles in reach" +
@@ -168,7 +191,7 @@ SurfacePtr make_cosine(const List& list) {
 
 }  // namespace
 
-SurfacePtr make_surface(const List& list, const Region* region) {
+SurfacePtr make_surface(const List& list, const Region* region, BodyFindings* findings) {
   const std::string& type = list.word("type");
   if (type == "leg") return make_leg(list);
   if (type == "cylinder") return revolution(linear_profile(list.real("radius"), 0.0), read_span(list), "cylinder");
@@ -178,7 +201,7 @@ SurfacePtr make_surface(const List& list, const Region* region) {
   if (type == "sphere") return ellipsoid(list.real("radius"), list.real("radius"));
   if (type == "cosine") return make_cosine(list);
   if (type == "profile") return make_profile(list);
-  return make_imported(list, region);
+  return make_imported(list, region, findings);
 }
 
 }  // namespace toile::body

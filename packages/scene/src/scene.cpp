@@ -73,7 +73,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     const auto phase = timer.phase("body");
     if (const auto body = optional_list(list, "Body")) {
       const auto reach = reach_of_moved_garment(list);
-      surface_ = body::make_surface(*body, reach ? &*reach : nullptr);
+      surface_ = body::make_surface(*body, reach ? &*reach : nullptr, &body_);
     }
   }
   {

@@ -81,6 +81,8 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   if (scene.surface() != nullptr) append(report.lines, body_lines(panels, open));
   append(report.warnings, forgotten_seam_warnings(scene));
   if (report.errors.empty()) append(report.warnings, held_seam_warnings(scene));
+  append(report.warnings, scene.body().warnings);
+  append(report.warnings, scale_warnings(scene.body(), panels));
   append(report.warnings, girth_warnings(panels));
   append(report.warnings, pressure_warnings(panels));
   append(report.warnings, loose_warnings(loose_parts(scene), !open));

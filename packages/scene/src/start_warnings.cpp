@@ -81,6 +81,22 @@ Texts stretch_warnings(const PanelStart& panel) {
   return {text};
 }
 
+Texts scale_warnings(const body::BodyFindings& body, const std::vector<PanelStart>& panels) {
+  if (!body.person) return {};
+  std::string text = "the list \"Body\" has \"scale\" = " + short_number(body.scale) + ", which makes the body " +
+                     short_number(body.height) + " mm high; in " + body.person->name +
+                     " (\"scale\" = " + short_number(body.person->scale) + ") it would be " +
+                     short_number(body.person->height) + " mm high, as a person is";
+  const auto round = std::find_if(panels.begin(), panels.end(), [](const auto& panel) { return panel.round; });
+  if (round != panels.end())
+    text += ", and panel " + quoted(round->name) + " would be stretched round it to " +
+            short_number(round->round->mean * body.person->scale / body.scale) + " instead of " +
+            short_number(round->round->mean);
+  return {text +
+          ". A wrong unit makes all pressures wrong. If the file holds only a part of a body, give its "
+          "\"height range\", which ends this warning"};
+}
+
 Texts girth_warnings(const std::vector<PanelStart>& panels) {
   constexpr double wider = 0.9999;
   double largest = 0.0;

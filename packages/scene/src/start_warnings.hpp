@@ -11,6 +11,8 @@ namespace toile::scene {
 
 /// Stretches that no knit stands, with the unit that would explain them.
 std::vector<std::string> stretch_warnings(const PanelStart& panel);
+/// A body from a file that another "scale" would make a person of.
+std::vector<std::string> scale_warnings(const body::BodyFindings& body, const std::vector<PanelStart>& panels);
 /// A garment that is wider than its body everywhere.
 std::vector<std::string> girth_warnings(const std::vector<PanelStart>& panels);
 /// More than 200 mmHg.

@@ -30,7 +30,8 @@ std::string panels_of(const Problem& problem, const std::vector<int>& clusters) 
 std::string seam_through_body(const Failure& failure) {
   const Problem& problem = failure.problem;
   if (problem.surface == nullptr || failure.stage.type != StageType::sew || failure.start.seam >= 1.0) return {};
-  constexpr double inside = 0.2;  // of the way: a chord across a gap of a seam lies much less deep
+  constexpr double inside = 0.2;    // of the way: a chord across a gap of a seam lies much less deep
+  constexpr double touching = 1.0;  // mm: edges that meet already have no way to go
   double deepest = 0.0, apart = 0.0;
   size_t worst = 0;
   for (size_t c = 0; c < problem.clusters.size(); ++c)
@@ -38,7 +39,7 @@ std::string seam_through_body(const Failure& failure) {
       const Vec3 a = problem.mesh->placed[problem.clusters[c].front()],
                  b = problem.mesh->placed[problem.clusters[c][k]];
       const double depth = -problem.surface->closest(0.5 * (a + b)).gap;
-      if (depth <= std::max(deepest, inside * (b - a).norm())) continue;
+      if ((b - a).norm() < touching || depth <= std::max(deepest, inside * (b - a).norm())) continue;
       deepest = depth;
       apart = (b - a).norm();
       worst = c;
@@ -129,37 +130,6 @@ std::vector<Vec3> loads_of(const Problem& problem, double load) {
   return all;
 }
 
-/// Body and loads push a part where no support holds it: there is no equilibrium.
-std::string slides(const Failure& failure) {
-  constexpr double noticeable = 0.01, along_the_body = 0.1, unbalanced = 0.01;
-  const Problem& problem = failure.problem;
-  if (problem.surface == nullptr || !problem.pressures.empty() || !failure.left.finite) return {};
-  // Forces that do not balance yet, or that a strong damping takes up, say nothing about what pushes the garment.
-  if (!failure.stepped && failure.left.total.relative() > unbalanced) return {};
-  if (!failure.stepped && failure.relaxing && failure.left.damping > 0.0) return {};
-  const State& state = failure.stepped ? failure.last : failure.left.state;
-  const std::vector<Vec3> loads = loads_of(problem, state.load);
-  for (const std::vector<int>& part : connected_parts(problem)) {
-    const Push push = push_of(failure, part, loads);
-    const double size = push.force.norm();
-    if (size <= noticeable * push.magnitude || size == 0.0) continue;
-    const Vec3 direction = push.force / size;
-    const double moved = push.moved.dot(direction);
-    std::string text = panels_of(problem, part) +
-                       (push.facing < along_the_body ? ": it slides along the body" : ": it is pushed off the body") +
-                       ", in the direction " + direction_text(direction);
-    if (moved > 1.0) text += ", by " + number_text(moved) + " mm in this stage";
-    text += ": the body pushes it there with " + number_text(size) + " N";
-    if (push.facing < along_the_body)
-      return text +
-             ", there is no friction, and no support holds it. Hold an end of it along the limb (list \"Supports\")";
-    return text +
-           ", and neither a support nor fabric on the other side of the body holds it. Close it around the body by "
-           "seams (is one missing?), or hold it by a support";
-  }
-  return {};
-}
-
 /// Fabric that is compressed more than stretched has no shape as a membrane.
 std::string is_loose(const Failure& failure) {
   constexpr double unstretched = 1e-3;
@@ -177,6 +147,38 @@ std::string is_loose(const Failure& failure) {
   return text +
          ". So it presses nowhere, and membranes without tension have no shape of their own. Make the pattern "
          "narrower, or give the fabric \"compression\" = \"tension field\", which carries no compression";
+}
+
+/// Body and loads push a part where no support holds it: there is no equilibrium.
+std::string slides(const Failure& failure) {
+  constexpr double noticeable = 0.01, along_the_body = 0.1, unbalanced = 0.01;
+  const Problem& problem = failure.problem;
+  if (problem.surface == nullptr || !problem.pressures.empty() || !failure.left.finite) return {};
+  // Forces that do not balance yet, or that a strong damping takes up, say nothing about what pushes the garment.
+  if (!failure.stepped && failure.left.total.relative() > unbalanced) return {};
+  if (!failure.stepped && failure.relaxing && failure.left.damping > 0.0) return {};
+  const State& state = failure.stepped ? failure.last : failure.left.state;
+  const std::vector<Vec3> loads = loads_of(problem, state.load);
+  for (const std::vector<int>& part : connected_parts(problem)) {
+    const Push push = push_of(failure, part, loads);
+    const double size = push.force.norm();
+    if (size <= noticeable * push.magnitude || size == 0.0) continue;
+    if (push.facing >= along_the_body && !is_loose(failure).empty()) continue;  // slack fabric presses by round-off
+    const Vec3 direction = push.force / size;
+    const double moved = push.moved.dot(direction);
+    std::string text = panels_of(problem, part) +
+                       (push.facing < along_the_body ? ": it slides along the body" : ": it is pushed off the body") +
+                       ", in the direction " + direction_text(direction);
+    if (moved > 1.0) text += ", by " + number_text(moved) + " mm in this stage";
+    text += ": the body pushes it there with " + number_text(size) + " N";
+    if (push.facing < along_the_body)
+      return text +
+             ", there is no friction, and no support holds it. Hold an end of it along the limb (list \"Supports\")";
+    return text +
+           ", and neither a support nor fabric on the other side of the body holds it. Close it around the body by "
+           "seams (is one missing?), or hold it by a support";
+  }
+  return {};
 }
 
 /// Without a body a flat membrane without tension can be moved across itself by nothing.

@@ -69,6 +69,11 @@ FabricState fabric_state(const Problem& problem, const State& state) {
   return out;
 }
 
+bool FabricState::is_slack() const {
+  constexpr double none = 1e-6;
+  return most_stretched.found && most_stretched.stretch[0] < 1.0 + none && most_compressed.stretch[1] > 1.0 - none;
+}
+
 std::string FabricPoint::text() const {
   std::ostringstream out;
   out.precision(3);

@@ -28,6 +28,8 @@ struct FabricState {
   /// Sums over the points of the tensile and of the compressive principal stresses (Cauchy, MPa).
   double tension = 0.0, compression = 0.0;
   FabricPoint worst_without_energy;  ///< the one whose stretches are farthest from one
+  /// Nothing is strained by more than rounded positions and a converged residual leave.
+  bool is_slack() const;
 };
 
 /// Looks at the whole garment on the calling rank.

@@ -41,12 +41,18 @@ bool PathWatch::returns(const Vector& z, double s) {
   return off <= same * step;
 }
 
-// A leap is no bend: the garment moves ten times as far as the path pointed, and noticeably. Newton's method may find
-// the way back from it, if the other branch does not reach to where the step began; shorter steps separate the two.
-bool PathWatch::leaps(const Vector& z, double off) const {
+// A leap is no bend: the garment moves noticeably, and ten times as far as the path points before it and after it.
+// Newton's method may find the way back from it, if the other branch does not reach to where the step began; shorter
+// steps separate the two.
+bool PathWatch::leaps(const Vector& z, double s, double off) {
   constexpr double far = 10.0, noticeable = 0.1;
-  return off > far && equilibrium_->distance(*difference(z, *last_)) >
-                          noticeable * equilibrium_->distance(*difference(*last_, *start_));
+  const double moved = equilibrium_->distance(*difference(z, *last_));
+  if (off <= far || moved <= noticeable * equilibrium_->distance(*difference(*last_, *start_))) return false;
+  Vector rate(z.getMap()), tangent(z.getMap());
+  equilibrium_->residual_rate(z, s, rate);
+  equilibrium_->renew_factorisation();
+  equilibrium_->linearise(z, s);
+  return !equilibrium_->solve(rate, tangent) || moved > far * (s - s_) * equilibrium_->distance(tangent);
 }
 
 bool PathWatch::accepts(const Vector& z, double s, int iterations) {
@@ -57,7 +63,7 @@ bool PathWatch::accepts(const Vector& z, double s, int iterations) {
   const double off = bend(z, s);
   const bool damped = stage_.damping.active;  // passes jumps: there they are told, not cut back
   if ((damped || iterations < many) && off <= sharp) return true;
-  const bool leap = leaps(z, off), same = returns(z, s);
+  const bool leap = leaps(z, s, off), same = returns(z, s);
   if (same && !leap) return true;
   const double narrow = std::max(2.0 * stage_.smallest_step, (same ? 0.01 : 0.1) * stage_.first_step);
   if (!damped && s - s_ > narrow) return false;

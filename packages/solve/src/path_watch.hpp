@@ -15,7 +15,7 @@ namespace toile::solve {
 /// A step that needs many iterations, or ends far from where the path pointed, is suspect. It is proven by the way
 /// back: from its end to the load at which it began. On the same branch that leads to where the step began; from
 /// another branch it does not, because that one goes on below the load at which it was entered (hysteresis). A step
-/// that goes ten times as far as the path pointed is a jump however it is short.
+/// that goes ten times as far as the path points before it and after it is a jump however it is short.
 class PathWatch {
  public:
   PathWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options);
@@ -31,7 +31,7 @@ class PathWatch {
  private:
   /// How far (z, s) lies from where the last secant points, over the length of the predicted step; 0: not known.
   double bend(const Vector& z, double s) const;
-  bool leaps(const Vector& z, double off) const;
+  bool leaps(const Vector& z, double s, double off);
   bool returns(const Vector& z, double s);
   void note(const Vector& z, double s);
 

@@ -52,14 +52,14 @@ struct Simulation::Data {
   int iterations = 0, cut_backs = 0;
   double reached = 0.0;  ///< s of the last accepted step
   CriticalPoints critical;
-  std::optional<PathWatch> path_watch;      ///< of a path that can be left unseen: step by step in the load
-  std::optional<ArcWatch> arc_watch;        ///< of a path of arc length
-  std::optional<DampedWatch> damped_watch;  ///< of a damped stage
-  double last_move = 0.0;                   ///< of the last damped step, mm
-  double faded = 0.0;                       ///< dissipated in the search for the final state, N mm
-  std::optional<TargetSearch> target;       ///< of a path that ends elsewhere than at its load
-  bool arrived = false;                     ///< there
-  int attempts = 0;                         ///< steps of the path, cut-backs included
+  std::optional<PathWatch> path_watch;           ///< of a path that can be left unseen: step by step in the load
+  std::optional<ArcWatch> arc_watch;             ///< of a path of arc length
+  std::optional<DampedWatch> damped_watch;       ///< of a damped stage
+  double last_move = 0.0;                        ///< of the last damped step, mm
+  double faded = 0.0;                            ///< dissipated in the search for the final state, N mm
+  std::optional<TargetSearch> target;            ///< of a path that ends elsewhere than at its load
+  bool arrived = false;                          ///< there
+  int attempts = 0;                              ///< steps of the path, cut-backs included
   double stabilised = 0.0, stabilised_at = 0.0;  ///< largest share of the energy that only stabilises, and its load
   bool lost_ellipticity = false;
   std::optional<Attempt> failed;  ///< the last one
@@ -84,6 +84,7 @@ struct Simulation::Data {
   std::string end_failure();
   void watch_ellipticity(const StepReport& report);
   void judge(const StepReport& last);
+  bool is_slack_membrane() const;
   void tell_of_damping();
   void march();
   SolveAt solver() {

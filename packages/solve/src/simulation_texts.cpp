@@ -1,7 +1,9 @@
 // What a simulation says: warnings at the end of a stage, and why one fails.
+#include <algorithm>
 #include <sstream>
 
 #include "diagnosis.hpp"
+#include "fabric_state.hpp"
 #include "simulation_data.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
 
@@ -47,9 +49,21 @@ void Simulation::Data::tell_of_damping() {
   damped_watch.reset();
 }
 
+// Then the signs of the pivots are those of round-off.
+bool Simulation::Data::is_slack_membrane() const {
+  const bool shells =
+      std::all_of(problem.laws.begin(), problem.laws.end(), [](const BlockLaw& law) { return law.is_shell(); });
+  return !shells && fabric_state(problem, state).is_slack();
+}
+
 void Simulation::Data::judge(const StepReport& last) {
   const std::string unstable = stability_warning(last);
-  if (!unstable.empty()) warnings.push_back(where() + unstable);
+  if (!unstable.empty() && is_slack_membrane())
+    notes.add(where() +
+              "its fabric carries no tension at its end. A membrane without tension resists no motion across itself: "
+              "what is written is one of the shapes that it may hang in");
+  else if (!unstable.empty())
+    warnings.push_back(where() + unstable);
   constexpr double most_stabilised = 0.05;
   if (stabilised > most_stabilised) {
     std::ostringstream text;

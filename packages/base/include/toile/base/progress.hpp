@@ -8,6 +8,11 @@
 
 namespace toile::base {
 
+/// Estimated time, s: one value, or two where the past does not tell which.
+struct TimeLeft {
+  double least = 0.0, most = 0.0;
+};
+
 /// Where a run stands after an accepted step.
 struct ProgressPoint {
   std::string stage;
@@ -16,26 +21,29 @@ struct ProgressPoint {
   int step = 0;            ///< counted over the run
   double parameter = 0.0;  ///< of the stage, 0..1
   double load = 0.0;
-  int iterations = 0;                         ///< of this step
-  double seconds = 0.0;                       ///< since the start of the run
-  bool final_state = false;                   ///< the equilibrium that ends the stage
-  std::optional<double> left = std::nullopt;  ///< s, to 100 % of the stage
+  int iterations = 0;                           ///< of this step
+  double seconds = 0.0;                         ///< since the start of the run
+  bool final_state = false;                     ///< the equilibrium that ends the stage
+  std::optional<TimeLeft> left = std::nullopt;  ///< to 100 % of the stage
 };
 
 /// Estimates when the path of a stage reaches its end, from the steps that it has taken: the time that a unit of the
 /// stage's parameter takes, growing on as it grew from the first to the second half of the way so far. What follows
-/// (the final state, later stages) is not in it: nothing is known of it. A step that has to be cut back upsets it.
+/// (the final state, later stages) is not in it: nothing is known of it. After a step that took far longer
+/// than its neighbours (cut-backs) nobody knows what the next ones will take: as long as the easy ones, or as the last.
 class PathClock {
  public:
   /// A stage starts now; `seconds` on any clock.
   void start(double seconds);
   /// The stage has reached a parameter (0..1).
   void reach(double parameter, double seconds);
-  /// Seconds to parameter 1; empty while nothing is known.
-  std::optional<double> left() const;
+  /// To parameter 1; empty while nothing is known.
+  std::optional<TimeLeft> left() const;
 
  private:
   double seconds_at(double parameter) const;
+  std::vector<double> paces() const;
+  double by_growth() const;
 
   std::vector<double> parameter_, seconds_;  ///< [step] since the stage's first equilibrium
 };

@@ -4,6 +4,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "toile/base/parameters.hpp"
 #include "toile/body/analytic.hpp"
@@ -26,12 +28,28 @@ struct Region {
   double margin = 0.0;
 };
 
+/// Another unit that makes a person of a body from a file.
+struct OtherUnit {
+  const char* name = "";
+  double scale = 1.0;   ///< mm
+  double height = 0.0;  ///< mm, of the body in it
+};
+
+/// What is said of a body before it is worn.
+struct BodyFindings {
+  std::vector<std::string> warnings;
+  double scale = 1.0;   ///< of the list, mm
+  double height = 0.0;  ///< mm, in it
+  /// If the scale is given, makes no person of the body, and nothing says that it is a part of one.
+  std::optional<OtherUnit> person;
+};
+
 /// Description of the scene's list "Body".
 base::Spec body_spec();
 
 /// The body that the validated list describes. `region` (may be null): where the garment can reach; what the list
 /// itself says in "Reach" goes before it. Files are looked for in the folder of the scene file.
-/// Throws InputError for a file that cannot be used, saying why.
-SurfacePtr make_surface(const base::List& list, const Region* region);
+/// `findings` (may be null): what is suspicious. Throws InputError for a file that cannot be used, saying why.
+SurfacePtr make_surface(const base::List& list, const Region* region, BodyFindings* findings = nullptr);
 
 }  // namespace toile::body

@@ -34,8 +34,10 @@ struct Import {
 /// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit, lying.
 Import import_body(const std::string& file, const ImportOptions& options);
 
-/// Bisects triangles that are more than ten times as long as wide (those of CAD programs) until they are four times as
-/// long, so that there are vertices all along them. No edge shorter than 15 mm is cut; the surface stays what it is.
+/// Cuts triangles of CAD programs (more than ten times as long as wide, or more than four times and 100 mm) until they
+/// are four times as long, so that there are vertices all along them: on the edges at which flat faces meet, which lie
+/// on the round body that the faces are chords of. The faces get no vertices inside: their diagonals are laid across.
+/// No edge shorter than 15 mm is cut; the surface stays what it is.
 void split_long_triangles(TriangleMesh* mesh);
 
 /// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within

@@ -9,6 +9,7 @@
 #include "toile/base/log.hpp"
 #include "toile/base/parameters.hpp"
 #include "toile/base/timer.hpp"
+#include "toile/body/body.hpp"
 #include "toile/body/surface.hpp"
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
@@ -79,6 +80,8 @@ class Scene {
   const garment::Garment& garment() const { return garment_; }
   const solve::Problem& problem() const { return problem_; }
   const body::Surface* surface() const { return surface_.get(); }
+  /// What is suspicious of the body.
+  const body::BodyFindings& body() const { return body_; }
   const std::vector<solve::StageOptions>& stages() const { return stages_; }
   const solve::SolverOptions& solver() const { return solver_; }
   const Output& output() const { return output_; }
@@ -99,6 +102,7 @@ class Scene {
 
   std::string title_;
   std::shared_ptr<const body::Surface> surface_;
+  body::BodyFindings body_;
   garment::Garment garment_;
   std::map<std::string, std::unique_ptr<material::Material>> materials_;
   solve::Problem problem_;
