@@ -127,10 +127,35 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
   error_ = garment.pressure_error.empty()
                ? std::vector<double>(pressure_.size(), std::numeric_limits<double>::quiet_NaN())
                : at_vertices(*garment.mesh, garment.pressure_error);
+  spread_tension();
   tied_.resize(surface_.mesh.vertices.size());
   std::iota(tied_.begin(), tied_.end(), 0);
   std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
   find_ends(axis_);
+}
+
+void Cutter::spread_tension() {
+  const mesh::Mesh& mesh = *garment_.mesh;
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(mesh.nodes()), Eigen::Matrix3d::Zero());
+  std::vector<double> count(sum.size(), 0.0);
+  const auto for_each_corner = [&mesh](const auto& work) {
+    std::size_t element = 0;
+    for (const mesh::Block& block : mesh.blocks)
+      for (std::size_t i = 0; i < block.connectivity.size(); ++i) {
+        work(element, static_cast<std::size_t>(block.connectivity[i]), block.nodes_per_element);
+        if ((i + 1) % static_cast<std::size_t>(block.nodes_per_element) == 0) ++element;
+      }
+  };
+  for_each_corner([&](std::size_t element, std::size_t node, int) {
+    sum[node] += garment_.tension[element];
+    count[node] += 1.0;
+  });
+  for (std::size_t n = 0; n < sum.size(); ++n)
+    if (count[n] > 0.0) sum[n] /= count[n];
+  off_mean_ = garment_.tension;
+  for_each_corner(
+      [&](std::size_t element, std::size_t node, int corners) { off_mean_[element] -= sum[node] / corners; });
+  tension_ = at_vertices(mesh, sum);
 }
 
 AxisPlace Cutter::place(double height) const {
@@ -177,14 +202,15 @@ void Cutter::refine_ends() {
   }
 }
 
-void Cutter::add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const {
+Eigen::Matrix3d Cutter::add_point(Segment& segment, std::size_t k, int from, int to,
+                                  const std::vector<double>& above) const {
   const auto a = static_cast<std::size_t>(from);
   const auto b = static_cast<std::size_t>(to);
   const double t = above[a] / (above[a] - above[b]);
-  const auto between = [&](const auto& values) { return (1.0 - t) * values[a] + t * values[b]; };
   segment.point[k] = (1.0 - t) * surface_.mesh.vertices[a] + t * surface_.mesh.vertices[b];
-  segment.pressure[k] = between(pressure_);
-  segment.error[k] = between(error_);
+  segment.pressure[k] = (1.0 - t) * pressure_[a] + t * pressure_[b];
+  segment.error[k] = (1.0 - t) * error_[a] + t * error_[b];
+  return (1.0 - t) * tension_[a] + t * tension_[b];
 }
 
 Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const {
@@ -192,10 +218,10 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   Segment segment{};
   segment.element = surface_.element[triangle];
   segment.block = surface_.block[triangle];
-  add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above);
-  add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
+  const Eigen::Matrix3d tension = 0.5 * (add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above) +
+                                         add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above));
   const Vec3 tangent = segment.step().normalized();  // zero for a point
-  segment.tension = tangent.dot(garment_.tension[static_cast<std::size_t>(segment.element)] * tangent);
+  segment.tension = tangent.dot((tension + off_mean_[static_cast<std::size_t>(segment.element)]) * tangent);
   return segment;
 }
 

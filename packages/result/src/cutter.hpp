@@ -51,7 +51,10 @@ class Cutter {
   void find_ends(const Axis& axis);
   void refine_ends();
   Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const;
-  void add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
+  /// Fills tension_ and off_mean_.
+  void spread_tension();
+  /// Returns the tension there, as tension_ has it.
+  Eigen::Matrix3d add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
 
   const GarmentFields& garment_;
   Axis axis_;
@@ -59,7 +62,10 @@ class Cutter {
   std::vector<int> tied_;         ///< [vertex]
   std::vector<double> pressure_;  ///< [vertex]
   std::vector<double> error_;     ///< [vertex]
-  std::vector<double> heights_;   ///< [vertex] along the axis
+  /// [vertex] mean tension of the elements around it. The tension of an element changes across it as this does, and is
+  /// its own in its centre: [element] what to add.
+  std::vector<Eigen::Matrix3d> tension_, off_mean_;
+  std::vector<double> heights_;  ///< [vertex] along the axis
   double lowest_ = 0.0, highest_ = 0.0;
 };
 
