@@ -98,7 +98,9 @@ TEST_P(RealPattern, LiesWhereTheFileSays) {
     for (int n = 0; n < mesh.panels[p].nodes; ++n)
       centre += mesh.placed[mesh.panels[p].first + n] / static_cast<double>(mesh.panels[p].nodes);
     const Vec3 normal = mesh.normal[mesh.panels[p].first];
-    if (std::abs(normal.y()) > 0.9) EXPECT_GT(normal.y() * (centre - middle).y(), 0.0) << panel.name;
+    if (std::abs(normal.y()) > 0.9) {
+      EXPECT_GT(normal.y() * (centre - middle).y(), 0.0) << panel.name;
+    }
   }
 }
 
