@@ -84,4 +84,9 @@ Spec& Spec::variant(const std::string& selector, const std::string& text, std::v
   return *this;
 }
 
+Spec& Spec::completed_by(Completion completion) {
+  completion_ = std::move(completion);
+  return *this;
+}
+
 }  // namespace toile::base

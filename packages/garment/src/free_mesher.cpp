@@ -8,6 +8,7 @@
 #include "toile/mesh/free_mesh.hpp"
 #include "toile/mesh/quality.hpp"
 #include "toile/mesh/zones.hpp"
+#include "toile/pattern/lines.hpp"
 
 namespace toile::garment {
 namespace {
@@ -66,6 +67,11 @@ Fractions line_ends(const Cut& cut, const std::string& name, const pattern::Curv
 }
 
 std::vector<SeededEdge> free_edges(const base::List& panel, const Cut& cut) {
+  try {
+    pattern::check_lines(cut.panel);
+  } catch (const base::InputError& error) {
+    panel.fail("mesher", error.what());
+  }
   const std::map<std::string, const pattern::Curve*> curves = curves_of(cut);
   std::map<std::string, double> finer;
   for (const base::List& place : finer_places(panel)) {

@@ -11,7 +11,7 @@ Garment build_garment(const base::List& panels, const base::List* seams, const b
   const std::vector<base::List> entries = panels.entries();
   const std::vector<Panel> all = build_panels(panels, seams);
   for (std::size_t p = 0; p < all.size(); ++p) {
-    mesh::Placed placed = place_panel(entries[p], all[p].mesh, body);
+    mesh::Placed placed = place_panel(entries[p], {all[p].mesh, all[p].drawn, body});
     add_imperfection(entries[p], all[p].mesh, placed);
     mesh::add_panel(garment.mesh, all[p].name, all[p].mesh, placed, all[p].fabrics);
   }

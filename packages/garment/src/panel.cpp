@@ -147,7 +147,10 @@ void add_zones(const base::List& entry, const Cut& cut, mesh::PanelMesh& mesh) {
 }  // namespace
 
 base::Spec panels_spec() {
-  base::Spec spec("Panels", "The pieces of fabric; the name of each entry is the name of the panel.");
+  base::Spec spec(
+      "Panels",
+      "The pieces of fabric; the name of each entry is the name of the panel. Needed unless the list Pattern makes "
+      "them all.");
   spec.entries(panel_spec(), 1);
   return spec;
 }
@@ -163,7 +166,7 @@ std::vector<Panel> build_panels(const base::List& panels, const base::List* seam
   std::vector<Panel> all;
   for (std::size_t p = 0; p < entries.size(); ++p) {
     Panel panel{entries[p].name(), read_fabrics(entries[p]), mesher_of(entries[p]).mesh(entries[p], cuts[p], seeds[p]),
-                read_shell(entries[p])};
+                read_shell(entries[p]), cuts[p].panel.placement};
     add_zones(entries[p], cuts[p], panel.mesh);
     all.push_back(std::move(panel));
   }

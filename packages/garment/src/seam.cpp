@@ -73,7 +73,7 @@ Seam build_seam(const base::List& entry, const mesh::Mesh& mesh) {
   const Edge first = read_edge(entry, "first", mesh, false);
   const Edge second = read_edge(entry, "second", mesh, entry.flag("reversed"));
   check_match(entry, first, second);
-  Seam seam{entry.name(), first.name, second.name, {}};
+  Seam seam{entry.name(), first.name, second.name, {}, first.nodes, second.nodes};
   for (std::size_t k = 0; k < first.nodes.size(); ++k) {
     // Two edges of one panel may share a corner, which then needs no tie.
     if (first.nodes[k] != second.nodes[k]) seam.pairs.emplace_back(first.nodes[k], second.nodes[k]);

@@ -42,7 +42,8 @@ void check_extent(const base::List& list, const mesh::PanelMesh& flat, double ra
   if (!text.str().empty()) list.fail("radius", text.str());
 }
 
-mesh::Placed place_on_sphere(const base::List& list, const mesh::PanelMesh& flat, const body::Surface*) {
+mesh::Placed place_on_sphere(const base::List& list, const FlatPanel& panel) {
+  const mesh::PanelMesh& flat = panel.mesh;
   const double radius = list.real("radius");
   check_extent(list, flat, radius);
   const Vec3 pole = read_direction(list, "polar axis");

@@ -156,7 +156,8 @@ mesh::Placed wrap(const base::List& list, const mesh::PanelMesh& flat, const Lim
   return placed;
 }
 
-mesh::Placed place_on_body(const base::List& list, const mesh::PanelMesh& flat, const body::Surface* body) {
+mesh::Placed place_on_body(const base::List& list, const FlatPanel& panel) {
+  const body::Surface* body = panel.body;
   if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
   const LimbAxis axis(list);
@@ -180,10 +181,10 @@ mesh::Placed place_on_body(const base::List& list, const mesh::PanelMesh& flat, 
     if (!point.found) list.fail("offset", "the body's surface is out of reach from there, so the panel has no normal");
     return point.normal;
   };
-  return wrap(list, flat, axis, target);
+  return wrap(list, panel.mesh, axis, target);
 }
 
-mesh::Placed place_freely(const base::List& list, const mesh::PanelMesh& flat, const body::Surface*) {
+mesh::Placed place_freely(const base::List& list, const FlatPanel& panel) {
   const base::Reals& around = list.reals("around");
   if (around.size() != 2) list.fail("around", "needs two radii, one at \"from\" and one at \"to\"");
   const LimbAxis axis(list);
@@ -203,7 +204,7 @@ mesh::Placed place_freely(const base::List& list, const mesh::PanelMesh& flat, c
     const double way = 1.0 - radius(height) * axis.curvature(height).dot(ray);
     return Vec3((way * ray - taper * frame.direction).normalized());
   };
-  return wrap(list, flat, axis, target);
+  return wrap(list, panel.mesh, axis, target);
 }
 
 std::optional<body::Region> reach_of_wrap(const base::List& list) {

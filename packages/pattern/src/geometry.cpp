@@ -3,6 +3,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
+#include <sstream>
 
 namespace toile::pattern {
 namespace {
@@ -52,6 +53,11 @@ std::string reason(bg::validity_failure_type failure, const std::string& detail)
 
 using Line = bg::model::linestring<Point>;
 
+Line ring_line(const Loop& loop) {
+  const Polygon::ring_type points = ring(loop);
+  return Line(points.begin(), points.end());
+}
+
 /// The library lets a hole touch the outline in single points; a mesh does not.
 std::string touching(const Panel& panel) {
   std::vector<Line> lines;
@@ -80,6 +86,41 @@ bool lies_on(const Panel& panel, const Vec2& point) {
   for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
   bg::correct(polygon);
   return bg::covered_by(Point(point.x(), point.y()), polygon);
+}
+
+std::string problem_of_lines(const Panel& panel) {
+  Polygon polygon{ring(panel.outline)};
+  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  // Ends lie on a curve, and so a little beside the polygon that stands for it.
+  const double near = 10.0 * chord * bg::length(ring_line(panel.outline));
+  const auto text = [](const Point& p) {
+    std::ostringstream out;
+    out << " near (" << p.x() << ", " << p.y() << ") mm";
+    return out.str();
+  };
+  std::vector<Line> lines;
+  for (const InternalLine& line : panel.lines) {
+    lines.emplace_back();
+    for (const Vec2& p : line.curve.points(chord * line.curve.length())) lines.back().emplace_back(p.x(), p.y());
+    std::vector<Line> outside;
+    bg::difference(lines.back(), polygon, outside);
+    for (const Line& part : outside)
+      if (bg::length(part) > near)
+        return "line \"" + line.name + "\" leaves the panel" + text(part.front()) + "; end it at an edge";
+    for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+      std::vector<Point> common;
+      bg::intersection(lines[k], lines.back(), common);
+      for (const Point& p : common) {
+        const auto is_end = [&](const Line& l) {
+          return bg::distance(p, l.front()) <= near || bg::distance(p, l.back()) <= near;
+        };
+        if (!is_end(lines[k]) && !is_end(lines.back()))
+          return "lines \"" + panel.lines[k].name + "\" and \"" + line.name + "\" cross" + text(p) +
+                 "; divide one of them into two lines that end there";
+      }
+    }
+  }
+  return "";
 }
 
 std::string why_invalid(const Panel& panel) {

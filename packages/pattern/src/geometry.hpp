@@ -14,4 +14,7 @@ bool lies_on(const Panel& panel, const Vec2& point);
 /// outside. Empty if they do. Loops must be closed and oriented.
 std::string why_invalid(const Panel& panel);
 
+/// Where an internal line leaves the panel or crosses another one; empty: nowhere.
+std::string problem_of_lines(const Panel& panel);
+
 }  // namespace toile::pattern

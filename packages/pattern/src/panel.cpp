@@ -7,6 +7,7 @@
 #include "geometry.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/parameters.hpp"
+#include "toile/pattern/lines.hpp"
 
 namespace toile::pattern {
 namespace {
@@ -115,6 +116,11 @@ void check(const Panel& panel) {
   for (const Loop& hole : panel.holes) check_closed(panel, hole, tolerance);
   check_notches(panel);
   const std::string problem = why_invalid(panel);
+  if (!problem.empty()) fail(panel, problem);
+}
+
+void check_lines(const Panel& panel) {
+  const std::string problem = problem_of_lines(panel);
   if (!problem.empty()) fail(panel, problem);
 }
 

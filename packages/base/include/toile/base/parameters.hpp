@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +14,8 @@ class ParameterList;
 }
 
 namespace toile::base {
+
+class Origins;
 
 using Reals = std::vector<double>;
 using Texts = std::vector<std::string>;
@@ -53,6 +56,9 @@ struct Parameter {
   bool may_table = false;
 };
 
+/// Adds to an input what follows from it, before it is validated, and notes where that comes from.
+using Completion = std::function<void(Teuchos::ParameterList& list, Origins& origins)>;
+
 /// Description of one parameter list: its parameters and the lists inside it.
 class Spec {
  public:
@@ -79,6 +85,8 @@ class Spec {
   /// have several.
   Spec& variant(const std::string& selector, const std::string& text, std::vector<Spec> variants,
                 Value fallback = required);
+  /// Of an outermost list: what completes the input before it is validated.
+  Spec& completed_by(Completion completion);
 
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
@@ -88,6 +96,7 @@ class Spec {
   int least_entries() const { return least_entries_; }
   /// Each selector with its variants.
   const std::vector<std::pair<std::string, std::vector<Spec>>>& variants() const { return variants_; }
+  const Completion& completion() const { return completion_; }
 
  private:
   std::string name_;
@@ -97,6 +106,7 @@ class Spec {
   std::shared_ptr<Spec> entry_;
   int least_entries_ = 0;
   std::vector<std::pair<std::string, std::vector<Spec>>> variants_;
+  Completion completion_;
 };
 
 /// A validated list: every name in it is declared, every value has its type and range, defaults are filled in.
@@ -157,6 +167,7 @@ Parameter include_parameter();
 
 /// Same for a list that is already in memory; `file` is only named in messages.
 List validate(const Teuchos::ParameterList& list, const Spec& spec, const std::string& file);
+List validate(const Teuchos::ParameterList& list, const Spec& spec, const Origins& origins);
 
 /// The one of `valid` that is closest to `name` by edit distance; empty if none is near.
 std::string nearest_name(const std::string& name, const Texts& valid);
