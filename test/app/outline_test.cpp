@@ -1,6 +1,7 @@
 // A panel of any outline, from the scene and from files of patterns, against the pressure of its even stretch.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "exodus.hpp"
 #include "program.hpp"
@@ -8,6 +9,11 @@
 
 namespace toile::test {
 namespace {
+
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file);
+  return std::string((std::istreambuf_iterator<char>(stream)), {});
+}
 
 class Outline : public ProgramTest {
  protected:
@@ -77,6 +83,40 @@ TEST_F(Outline, ComesFromFilesOfPatterns) {
         {{outline, R"(name="shape" type="string" value="pattern file")"}, {text.substr(from, to - from), of_file}},
         0.01);
   }
+}
+
+// A garment of a file of patterns is read, meshed, sewn and placed by a list of three parameters.
+TEST_F(Outline, OfAWholeGarmentComesFromOneFile) {
+  write("tee.json", text_of(TOILE_SOURCE_DIR "/test/data/patterns/gpg_tee.json"));
+  write("scene.xml", R"(<ParameterList name="scene">
+  <ParameterList name="Materials"><ParameterList name="knit">
+    <Parameter name="type" type="string" value="rebar"/><Parameter name="set" type="string" value="pantyhose"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Pattern">
+    <Parameter name="file" type="string" value="tee.json"/>
+    <Parameter name="material" type="string" value="knit"/>
+    <Parameter name="element size" type="double" value="20"/>
+  </ParameterList>
+  <ParameterList name="Stages"><ParameterList name="sew"><Parameter name="type" type="string" value="sew"/>
+    <ParameterList name="Damping"/></ParameterList></ParameterList>
+</ParameterList>)");
+  const Outcome outcome = toile("check scene.xml");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ::testing::HasSubstr("12 seams, 1 stages"));
+  EXPECT_THAT(outcome.out, ::testing::HasSubstr("panel \"front\": stretch 1 along the wale, 1 along the course"));
+}
+
+// A part of an edge is sewn to another part; what is no part is told with what is valid.
+TEST_F(Outline, IsSewnByParts) {
+  const std::string first = R"(name="first" type="string" value="front.right")",
+                    second = R"(name="second" type="string" value="front.left")";
+  write_scene("armhole", {{first, R"(name="first" type="string" value="front.right[0:0.5]")"},
+                          {second, R"(name="second" type="string" value="front.left[0.5:1]")"}});
+  EXPECT_EQ(toile("check scene.xml").status, 0);
+  write_scene("armhole", {{first, R"(name="first" type="string" value="front.right[0:middle]")"}});
+  const Outcome outcome = toile("check scene.xml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::HasSubstr("Seams > side"), ::testing::HasSubstr("middle")));
 }
 
 }  // namespace
