@@ -56,7 +56,7 @@ std::vector<char> in_reach(const TriangleMesh& mesh, const std::vector<int>& num
   return result;
 }
 
-std::string shown(int piece, const std::vector<int>& number, const Eigen::AlignedBox3d& box) {
+std::string piece_text(int piece, const std::vector<int>& number, const Eigen::AlignedBox3d& box) {
   std::ostringstream text;
   text.precision(4);
   text << "piece " << piece + 1 << " (" << std::count(number.begin(), number.end(), piece) << " triangles";
@@ -126,7 +126,7 @@ void check_apart(const std::string& file, const TriangleMesh& mesh, const std::v
       text << " and " << pieces.size() - most_named << " more";
       break;
     }
-    text << (named > 1 ? ", " : "") << shown(piece, number, box[piece]);
+    text << (named > 1 ? ", " : "") << piece_text(piece, number, box[piece]);
   }
   text << ". " << pairs << " pairs of facets of different pieces intersect, one of them near (" << first->place.x()
        << ", " << first->place.y() << ", " << first->place.z()
