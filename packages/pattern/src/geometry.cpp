@@ -75,6 +75,31 @@ std::string touching(const Panel& panel) {
   return "";
 }
 
+/// Where two edges of the outline meet apart from their common corner, as the library would tell it; empty: nowhere.
+std::string crossing(const Loop& loop) {
+  std::vector<Line> edges;
+  for (const Edge& edge : loop) {
+    edges.emplace_back();
+    for (const Vec2& p : edge.curve.points(chord * edge.curve.length())) edges.back().emplace_back(p.x(), p.y());
+  }
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      std::vector<Point> common;
+      bg::intersection(edges[i], edges[j], common);
+      const double near = chord * (bg::length(edges[i]) + bg::length(edges[j]));
+      for (const Point& p : common) {
+        const auto is_corner = [&](const Line& edge) {
+          return bg::distance(p, edge.front()) <= near || bg::distance(p, edge.back()) <= near;
+        };
+        if (is_corner(edges[i]) && is_corner(edges[j])) continue;
+        std::ostringstream text;
+        text << "(" << p.x() << ", " << p.y() << ")";
+        return text.str();
+      }
+    }
+  return "";
+}
+
 }  // namespace
 
 double signed_area(const Loop& loop) {
@@ -132,7 +157,7 @@ std::string why_invalid(const Panel& panel) {
   if (bg::is_valid(polygon, failure)) return "";
   // A figure of eight has no orientation.
   if (failure == bg::failure_wrong_orientation && !bg::is_simple(Line(polygon.outer().begin(), polygon.outer().end())))
-    failure = bg::failure_self_intersections;
+    return reason(bg::failure_self_intersections, crossing(panel.outline));
   bg::is_valid(polygon, detail);
   return reason(failure, detail);
 }
