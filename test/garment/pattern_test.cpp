@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Files, RealPattern,
 
 /// A file with one square panel and a dart, of which one side may be longer.
 std::string write_dart(double longer) {
-  const std::string path = ::testing::TempDir() + "dart.json";
+  std::string path = ::testing::TempDir() + "dart.json";
   std::ofstream(path) << R"({"properties": {"curvature_coords": "relative", "units_in_meter": 1000}, "pattern": {
     "panels": {"back": {"vertices": [[0, 0], [100, 0], [100, 100], [60, )"
                       << 100.0 + longer
