@@ -55,8 +55,4 @@ std::vector<mesh::Vec3> at_vertices(const mesh::Mesh& garment, const std::vector
   return with_centres(garment, nodal);
 }
 
-std::vector<Eigen::Matrix3d> at_vertices(const mesh::Mesh& garment, const std::vector<Eigen::Matrix3d>& nodal) {
-  return with_centres(garment, nodal);
-}
-
 }  // namespace toile::result

@@ -20,6 +20,5 @@ GarmentTriangles triangulate(const mesh::Mesh& garment, const std::vector<mesh::
 /// Nodal values continued to the centres of the quadrilaterals: [vertex].
 std::vector<double> at_vertices(const mesh::Mesh& garment, const std::vector<double>& nodal);
 std::vector<mesh::Vec3> at_vertices(const mesh::Mesh& garment, const std::vector<mesh::Vec3>& nodal);
-std::vector<Eigen::Matrix3d> at_vertices(const mesh::Mesh& garment, const std::vector<Eigen::Matrix3d>& nodal);
 
 }  // namespace toile::result
