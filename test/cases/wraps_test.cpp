@@ -228,7 +228,7 @@ TEST_F(Wraps, TheShippedKneeRunsAsItIs) {
   }
   constexpr size_t pressure = 1, laplace = 7;
   for (const char* straight : {"shin", "thigh"})
-    EXPECT_NEAR(levels[straight].at(pressure), levels[straight].at(laplace), 2e-3 * levels[straight].at(laplace))
+    EXPECT_NEAR(levels[straight].at(pressure), levels[straight].at(laplace), 5e-3 * levels[straight].at(laplace))
         << straight;
   EXPECT_GT(levels["knee"].at(pressure), 1.1 * levels["knee"].at(laplace));
 }
