@@ -211,7 +211,7 @@ TEST_F(Wraps, AKneeIsOnePanel) {
 }
 
 // The shipped knee runs as it is. On shin and thigh, where the limb is straight, the mean pressure is the hoop tension
-// over the radius (Laplace) but for what the chords of 24 elements make of the tension, 0.4 %; over the knee the
+// over the radius (Laplace), on this mesh of 24 elements within 0.4 %; over the knee the
 // tension along the limb adds to it.
 TEST_F(Wraps, TheShippedKneeRunsAsItIs) {
   const Outcome run = toile("run " TOILE_SOURCE_DIR "/input/knee.xml --output results");
