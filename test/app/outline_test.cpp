@@ -106,6 +106,16 @@ TEST_F(Outline, OfAWholeGarmentComesFromOneFile) {
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("panel \"front\": stretch 1 along the wale, 1 along the course"));
 }
 
+// A size that would fill the memory is refused before anything is meshed.
+TEST_F(Outline, OfTooManyElementsIsRefused) {
+  const std::string size = R"(name="element size" type="double" value=")";
+  write_scene("armhole", {{size + "5\"", size + "0.02\""}});
+  const Outcome outcome = toile("check scene.xml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::HasSubstr("\"element size\" = 0.02"),
+                                            ::testing::HasSubstr("allowed are at most 1e+06")));
+}
+
 // A part of an edge is sewn to another part; what is no part is told with what is valid.
 TEST_F(Outline, IsSewnByParts) {
   const std::string first = R"(name="first" type="string" value="front.right")",

@@ -15,6 +15,8 @@ namespace {
 
 using mesh::Vec2;
 
+/// More would take the memory of a large machine before the first step.
+constexpr double most_elements = 1e6;
 /// A node lies where the tangent of an edge turns by more than this.
 constexpr double corner = 0.2;  // radians
 /// Of an edge's length: how near the end of a line must be to lie on it.
@@ -193,10 +195,27 @@ void check_quality(const base::List& panel, const mesh::PanelMesh& mesh) {
   panel.fail("element size", text.str());
 }
 
+/// Elements of the panel's size that its outline holds, without what is finer.
+void check_number(const base::List& panel, const mesh::FreeMeshInput& input) {
+  double twice = 0.0;
+  for (const std::vector<int>& loop : input.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vec2& a = input.points[static_cast<std::size_t>(loop[k])];
+      const Vec2& b = input.points[static_cast<std::size_t>(loop[(k + 1) % loop.size()])];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+  const double count = 0.5 * std::abs(twice) / (input.size * input.size);
+  if (count <= most_elements) return;
+  std::ostringstream text;
+  text << "makes about " << count << " elements of the panel; allowed are at most " << most_elements;
+  panel.fail("element size", text.str());
+}
+
 mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::map<std::string, Fractions>& seeds) {
   Area area(cut, seeds);
   area.input.size = panel.real("element size");
   area.input.triangles = panel.word("elements") == "triangle";
+  check_number(panel, area.input);
   add_refinements(panel, cut, area.input);
   mesh::FreeMesh made;
   try {
