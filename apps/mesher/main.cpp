@@ -1,9 +1,11 @@
 // toile-mesher: reads an area from standard input and writes its mesh to standard output (see mesh/free_mesh.hpp). It
 // is a program of its own, so that whatever happens inside of Gmsh ends this program and not the one that asked.
 #include <gmsh.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -224,6 +226,7 @@ bool write_all(int file, const std::string& text) {
 }  // namespace
 
 int main() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the mesh of a program that was ended
   // Libraries inside of Gmsh print warnings to standard output, which is for the mesh alone.
   const int answer = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
