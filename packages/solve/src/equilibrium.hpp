@@ -17,6 +17,7 @@
 namespace toile::solve {
 
 class Watch;
+struct EquilibriumMemory;
 
 /// Seams and load as functions of the stage's parameter s in [0, 1].
 struct Drive {
@@ -112,6 +113,16 @@ class Equilibrium {
   double update_thickness(const Vector& z, double s, double tolerance);
   const std::vector<double>& offsets() const { return offset_; }
   void set_offsets(const std::vector<double>& offsets) { offset_ = offsets; }  ///< as offsets() gave them
+
+  /// The values of a vector of unknowns, the same on every rank (checkpoint.hpp), and the vector of such values; null
+  /// of none. Collective.
+  std::vector<double> gather(const Vector& z) const;
+  RCP<Vector> scatter(const std::vector<double>& values) const;
+  /// What is remembered between steps, at the accepted z at which the next one begins. Collective.
+  EquilibriumMemory memory(const Vector& z) const;
+  /// Remembers that again, in equations that were set up from the same start. Returns z. Collective.
+  RCP<Vector> resume(const EquilibriumMemory& memory);
+
   /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface if they
   /// press it. Collective.
   void balance_multipliers(Vector& z, double s);

@@ -97,8 +97,8 @@ std::string Simulation::Data::path_failure() {
   }
   if (statistics.steps == earlier_steps) {
     message << ", and no step of it was accepted.";
-  } else if (attempts >= stage.max_steps || cut_backs == 0) {
-    message << ", after " << attempts
+  } else if (path->attempts() >= stage.max_steps || cut_backs == 0) {
+    message << ", after " << path->attempts()
             << " steps (cut-backs included), its \"most steps\". Allow it more, or larger ones (\"largest "
             << "step\", now " << stage.largest_step << ").";
     return message.str();
