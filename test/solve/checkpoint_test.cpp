@@ -11,7 +11,6 @@ namespace toile::test {
 namespace {
 
 using solve::StageOptions;
-using solve::StageType;
 using ::testing::HasSubstr;
 
 /// What is left of a run at its end, without its times.
@@ -61,7 +60,7 @@ TEST(Checkpoint, SewingPullingAndReleasingGoOnWithTheSameBits) {
   Sleeve sleeve(o, pantyhose());
   open_up(sleeve, o, 63.0);
   sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 5.0);
-  StageOptions sew = stage(StageType::sew), pull = stage(StageType::load), rest = stage(StageType::settle);
+  StageOptions sew = stage("sew"), pull = stage("load"), rest = stage("settle");
   sew.damping.active = true;
   pull.first_step = pull.largest_step = 0.4;
   pull.stability_every_step = true;
@@ -88,13 +87,13 @@ Panels bent_panel() {
 TEST(Checkpoint, ShellsGoOnWithTheSameBits) {
   Panels panel = bent_panel();
   panel.problem.supports[1].turn = solve::Turn{solve::Vec3(0.0, 20.0, 0.0), solve::Vec3::UnitX(), 0.6};
-  StageOptions turn = stage(StageType::load), arc = turn, until = turn;
+  StageOptions turn = stage("load"), arc = turn, until = turn;
   turn.target = 0.5;
   arc.arc_length = arc.stability_every_step = true;
   arc.first_step = 0.3;
   until.arc_length = true;
   until.until = solve::PathTarget{false, "node", Panels::node(0, Panels::across, 0), -1, 2, -3.0};
-  const StageOptions rest = named("rest", stage(StageType::settle));
+  const StageOptions rest = named("rest", stage("settle"));
   EXPECT_GT(run_from_each_step(panel.problem, placed_state(panel.problem),
                                {rest, named("until", until), named("turn", turn), named("arc", arc)}),
             10);
@@ -109,7 +108,7 @@ TEST(Checkpoint, IsRefusedWhereItDoesNotBelong) {
     if (!r.undamped) half = first.checkpoint();
   });
   first.set_start(closed_start(sleeve.problem));
-  first.run(named("pull", stage(StageType::load)));
+  first.run(named("pull", stage("load")));
   solve::Simulation of_other(other.problem, {}), of_same(sleeve.problem, {});
   const auto error_of = [](const auto& work) -> std::string {
     try {
@@ -121,7 +120,7 @@ TEST(Checkpoint, IsRefusedWhereItDoesNotBelong) {
   };
   EXPECT_THAT(error_of([&] { of_other.resume(half); }), HasSubstr("of another garment"));
   of_same.resume(half);
-  EXPECT_THAT(error_of([&] { of_same.run(named("settle", stage(StageType::settle))); }),
+  EXPECT_THAT(error_of([&] { of_same.run(named("settle", stage("settle"))); }),
               HasSubstr("of stage \"pull\", which is \"settle\" here"));
   solve::CheckpointArrays arrays = to_arrays(half);
   arrays.reals.at("equilibrium: z").pop_back();

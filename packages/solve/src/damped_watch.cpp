@@ -4,16 +4,14 @@
 #include <sstream>
 
 #include "furthest_move.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 
 namespace {
 
-double drive_of(const StageOptions& stage, const State& state) {
-  return stage.type == StageType::sew ? state.seam : state.load;
-}
-const char* drive_name(const StageOptions& stage) {
-  return stage.type == StageType::sew ? "closing " : "load ";
+std::string drive_name(const StageOptions& stage) {
+  return stage.kind->measure() + std::string(" ");
 }
 
 }  // namespace
@@ -22,7 +20,7 @@ bool DampedWatch::accepted(const DampedStep& step) {
   constexpr double noticeable = 0.01, times_wanted = 10.0;  // of the energy; of what a step is to dissipate
   const double share = step.energy > 0.0 ? step.dissipated / step.energy : 0.0;
   if (share <= std::max(noticeable, times_wanted * stage_.damping.fraction)) return false;
-  const double before = drive_of(stage_, step.before), after = drive_of(stage_, step.after);
+  const double before = stage_.kind->reached(step.before), after = stage_.kind->reached(step.after);
   if (!snaps_.has_largest || step.dissipated > snaps_.dissipated) {
     const FurthestMove move = furthest_move(step.before, step.after);
     snaps_.has_largest = true;

@@ -13,19 +13,12 @@
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 #include "toile/solve/simulation.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 
 class Watch;
 struct EquilibriumMemory;
-
-/// Seams and load as functions of the stage's parameter s in [0, 1].
-struct Drive {
-  double seam_start = 0.0, seam_end = 0.0;
-  double load_start = 0.0, load_end = 0.0;
-  double seam(double s) const { return seam_start + (seam_end - seam_start) * s; }
-  double load(double s) const { return load_start + (load_end - load_start) * s; }
-};
 
 /// Residual of one configuration, in the measures that a step is judged by.
 struct Imbalance {

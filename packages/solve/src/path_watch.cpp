@@ -88,8 +88,7 @@ bool PathWatch::accepted(const Vector& z, double s) {
 bool PathWatch::note(const Vector& z, double s) {
   constexpr double counts = 1e-3;  // mm; less is round-off of a garment that rests
   const State before = equilibrium_->state(*last_, s_), after = equilibrium_->state(z, s);
-  const bool sews = stage_.type == StageType::sew;
-  const double from = sews ? before.seam : before.load, to = sews ? after.seam : after.load;
+  const double from = stage_.kind->reached(before), to = stage_.kind->reached(after);
   const FurthestMove move = furthest_move(before, after);
   if (move.distance < counts) return false;
   if (!jumps_.has_largest || move.distance > jumps_.distance) {
@@ -127,10 +126,10 @@ void PathWatch::resume(const WatchMemory& memory) {
 
 std::string PathWatch::warning() const {
   if (!jumps_.has_largest) return {};
-  const bool sews = stage_.type == StageType::sew, damped = stage_.damping.active;
+  const bool sews = stage_.kind->closes_seams(), damped = stage_.damping.active;
   const Vec3& at = jumps_.at;
   std::ostringstream out;
-  out << "between " << (sews ? "closing " : "load ") << jumps_.from << " and " << jumps_.to
+  out << "between " << stage_.kind->measure() << " " << jumps_.from << " and " << jumps_.to
       << " the garment left its path of equilibria and jumped to another branch: the point at (" << at[0] << ", "
       << at[1] << ", " << at[2] << ") mm moved by " << jumps_.distance << " mm at once";
   if (!damped) out << ", which shorter steps do not follow";

@@ -76,20 +76,13 @@ void Simulation::Data::begin() {
 
 void Simulation::Data::build() {
   stage_start = state;
-  set_drive();
+  drive = stage.kind->drive(stage, stage_start);
   assemble(state, null_motions(state, near_body(problem, state)));
   equilibrium->update_thickness(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
   equilibrium->start_step(*z, 0.0);
-  if (stage.type != StageType::settle) start_path();
-}
-
-// From the state that the stage starts from.
-void Simulation::Data::set_drive() {
-  drive = {stage_start.seam, stage_start.seam, stage_start.load, stage_start.load};
-  if (stage.type == StageType::sew) drive.seam_end = stage.target;
-  if (stage.type == StageType::load) drive.load_end = stage.target;
+  if (stage.kind->has_path()) start_path();
 }
 
 // Of a state whose motions the `guided` clusters resist.
@@ -222,7 +215,7 @@ void Simulation::run(const StageOptions& stage) {
     d.begin();
     d.build();
   }
-  if (stage.type != StageType::settle) d.march();
+  if (stage.kind->has_path()) d.march();
   if (!d.conclude()) throw base::SolveError(d.end_failure());
   d.check_pins();
   Vector f(d.z->getMap());

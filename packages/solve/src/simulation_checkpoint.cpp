@@ -80,7 +80,7 @@ void Simulation::Data::rebuild(const Checkpoint& from) {
   last_move = from.last_move;
   watch.set_iterations(from.stage_iterations);
   if (damped_watch && from.damped_watch) damped_watch->resume(*from.damped_watch);
-  set_drive();
+  drive = stage.kind->drive(stage, stage_start);
   std::vector<NullMotion> motions;
   for (const Pin& pin : from.pins) motions.push_back({pin.motion, pin.cluster, pin.component});
   assemble(stage_start, motions);

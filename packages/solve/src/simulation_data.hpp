@@ -76,7 +76,6 @@ struct Simulation::Data {
 
   void begin();
   void build();
-  void set_drive();
   std::vector<NullMotion> null_motions(const State& from, const std::vector<bool>& guided) const;
   void assemble(const State& from, const std::vector<NullMotion>& motions);
   StepReport accept(double s, const Imbalance& imbalance, bool undamped);
