@@ -8,7 +8,7 @@
 #include "toile/solve/fields.hpp"
 #include "toile/solve/simulation.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 /// Pressure of the last state at the levels and along the axis, as far as the scene asks for them.
 struct PressureReport {
@@ -24,4 +24,4 @@ std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepRepo
 /// [element] true where some nodes are held by a support and others are not.
 std::vector<bool> elements_at_supports(const solve::Problem& problem);
 
-}  // namespace toile::app
+}  // namespace toile::run

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "toile/base/timer.hpp"
-#include "toile/scene/scene.hpp"
 #include "toile/solve/fields.hpp"
 #include "toile/solve/simulation.hpp"
 
-namespace toile::app {
+namespace toile::run {
+
+/// What equilibria leave as round-off, of the largest stress or of all forces.
+inline constexpr double noise = 1e-8;
 
 /// Figures of a finished run by which it is judged and checked.
 struct Figures {
@@ -24,12 +22,4 @@ struct Figures {
 /// `report`: of the last accepted step. The contact part of the balance is taken from the written fields.
 Figures figures_of(const solve::Fields& fields, const solve::StepReport& report);
 
-/// What limits the trust in the last state: fabric outside its calibrated range, contact off the smooth surface.
-std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::Fields& fields,
-                                        const solve::StepReport& report);
-
-/// The summary that ends a run.
-std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,
-                    const solve::SolveStatistics& statistics, const base::Timer& timer);
-
-}  // namespace toile::app
+}  // namespace toile::run

@@ -1,4 +1,4 @@
-#include "start.hpp"
+#include "toile/run/outputs.hpp"
 
 #include <map>
 
@@ -6,7 +6,7 @@
 #include "toile/result/exodus_writer.hpp"
 #include "toile/solve/output_fields.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 namespace {
 
@@ -46,15 +46,4 @@ void check_names(const scene::Scene& scene, const base::List& list) {
     }
 }
 
-void tell_start(const scene::StartReport& start, base::Log& log) {
-  std::string text = "Start";
-  for (const std::string& line : start.lines) text += "\n  " + line;
-  log.info(text);
-  for (const std::string& warning : start.warnings) log.warn(warning);
-  if (start.errors.empty()) return;
-  std::string all;
-  for (const std::string& error : start.errors) all += (all.empty() ? "" : "\n") + error;
-  throw base::InputError(all);
-}
-
-}  // namespace toile::app
+}  // namespace toile::run

@@ -1,11 +1,11 @@
-#include "pressure_report.hpp"
+#include "toile/run/pressure_report.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "toile/solve/output_fields.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 namespace {
 
@@ -69,4 +69,4 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
   return found;
 }
 
-}  // namespace toile::app
+}  // namespace toile::run

@@ -1,16 +1,25 @@
-#include "findings.hpp"
-
+// What a run is for, as it ends on the terminal, and the files that it has written.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
+#include "output.hpp"
 #include "toile/base/units.hpp"
 #include "toile/solve/output_fields.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 namespace {
+
+/// The largest pressure of the garment where no support ends: there a line force would pass for a pressure.
+struct LargestPressure {
+  double pressure = 0.0;  ///< MPa
+  double error = 0.0;     ///< MPa
+  std::string panel;
+  solve::Vec3 place = solve::Vec3::Zero();  ///< mm
+};
 
 std::string number(const char* format, double value) {
   if (!std::isfinite(value)) return "";
@@ -103,8 +112,7 @@ std::string place_text(const solve::Vec3& x) {
   return "(" + number("%.1f", x[0]) + ", " + number("%.1f", x[1]) + ", " + number("%.1f", x[2]) + ") mm";
 }
 
-}  // namespace
-
+/// Nothing if the garment presses nowhere.
 std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const solve::Fields& fields) {
   const std::vector<bool> at_support = elements_at_supports(scene.problem());
   const mesh::Mesh& mesh = scene.garment().mesh;
@@ -123,6 +131,7 @@ std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const
   return largest;
 }
 
+/// The table of levels, the stretches of each panel, the largest pressure.
 std::string findings(const scene::Scene& scene, const solve::Fields& fields, const PressureReport& pressure) {
   std::string text;
   if (!pressure.levels.empty()) text += level_table(pressure.levels);
@@ -135,6 +144,7 @@ std::string findings(const scene::Scene& scene, const solve::Fields& fields, con
   return text;
 }
 
+/// Warns of a pressure that no garment has, with the likely cause.
 std::optional<std::string> implausible_pressure(const scene::Scene& scene, const solve::Fields& fields) {
   constexpr double most = 200.0;  // mmHg
   const auto largest = largest_pressure(scene, fields);
@@ -151,4 +161,34 @@ std::optional<std::string> implausible_pressure(const scene::Scene& scene, const
   return text.str();
 }
 
-}  // namespace toile::app
+std::string files_text(const Folder& folder) {
+  std::string text = "Files in " + folder.path() + ":";
+  for (const std::string& name : folder.written()) text += " " + name;
+  return text;
+}
+
+class Findings : public Observer {
+ public:
+  explicit Findings(const OutputContext& context) : folder_(context.folder), log_(context.log) {}
+
+  void end(const Record& record) override {
+    const scene::Scene& scene = record.scene();
+    const std::string found = findings(scene, record.fields(), record.pressure());
+    log_.info(found + (folder_ != nullptr ? files_text(*folder_) : std::string()));
+    if (const auto warning = implausible_pressure(scene, record.fields())) log_.warn(*warning);
+  }
+
+ private:
+  std::shared_ptr<Folder> folder_;
+  base::Log& log_;
+};
+
+}  // namespace
+
+Output findings_output() {
+  return {{}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
+            return std::make_unique<Findings>(context);
+          }};
+}
+
+}  // namespace toile::run

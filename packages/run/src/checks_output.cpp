@@ -1,13 +1,15 @@
-#include "checks.hpp"
-
+// The scene's checks: one that does not hold ends the run with its exit status.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
+#include "figures.hpp"
+#include "output.hpp"
+#include "toile/base/error.hpp"
 #include "toile/base/units.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 namespace {
 
@@ -45,8 +47,7 @@ double value_of(const scene::Check& check, const Figures& f, const PressureRepor
   return check.sections.size() == 1 ? first : first / section_pressure(check.sections[1], pressure, problem);
 }
 
-}  // namespace
-
+/// One message for each check that does not hold, or whose quantity does not exist.
 std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures& figures,
                                        const PressureReport& pressure) {
   std::vector<std::string> failed;
@@ -65,4 +66,24 @@ std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures&
   return failed;
 }
 
-}  // namespace toile::app
+class Checks : public Observer {
+ public:
+  void end(const Record& record) override {
+    const Figures figures = figures_of(record.fields(), record.last());
+    std::string all;
+    for (const std::string& failed : failed_checks(record.scene(), figures, record.pressure()))
+      all += (all.empty() ? "" : "\n") + failed;
+    if (!all.empty()) throw base::Error(base::ExitCode::check_failed, all);
+  }
+};
+
+}  // namespace
+
+Output checks_output() {
+  return {{}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
+            if (context.scene.checks().empty()) return nullptr;
+            return std::make_unique<Checks>();
+          }};
+}
+
+}  // namespace toile::run

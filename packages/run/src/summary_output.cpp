@@ -1,21 +1,16 @@
-#include "summary.hpp"
-
-#include <algorithm>
+// The summary that ends a run.
 #include <array>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <sstream>
 
+#include "figures.hpp"
+#include "output.hpp"
 #include "toile/base/units.hpp"
 #include "toile/material/response.hpp"
-#include "toile/solve/output_fields.hpp"
 
-namespace toile::app {
+namespace toile::run {
 
 namespace {
-
-constexpr double noise = 1e-8;  // of the largest stress or of all forces: what equilibria leave as round-off
 
 std::string joined(const std::vector<std::string>& names) {
   std::string all;
@@ -71,81 +66,11 @@ std::string torque_text(const solve::Support& support, double load, double torqu
   return out.str();
 }
 
-}  // namespace
-
-Figures figures_of(const solve::Fields& fields, const solve::StepReport& report) {
-  Figures f;
-  f.smallest_pressure = std::numeric_limits<double>::infinity();
-  for (const double p : fields.pressure) {
-    f.largest_pressure = std::max(f.largest_pressure, base::mpa_to_kpa(p));
-    if (p > 0.0) f.smallest_pressure = std::min(f.smallest_pressure, base::mpa_to_kpa(p));
-  }
-  if (f.largest_pressure == 0.0) f.smallest_pressure = 0.0;
-  double largest_stress = 0.0;
-  for (const double stress : solve::named(solve::element_fields(fields), "cauchy_major").values)
-    largest_stress = std::max(largest_stress, std::abs(stress));
-  if (std::abs(fields.smallest_principal_stress) > noise * largest_stress)
-    f.smallest_stress = base::mpa_to_kpa(fields.smallest_principal_stress);
-  solve::ForceBalance written = report.balance;
-  written.contact = solve::contact_resultant(fields);
-  f.force_balance = written.magnitude > 0.0 ? written.sum().norm() / written.magnitude : 0.0;
-  f.largest_gap = report.gap;
-  f.dissipation_ratio = report.dissipation_ratio;
-  f.extrapolated = report.extrapolated;
-  return f;
-}
-
-namespace {
-
-/// Contact lets no free node into the body, so those that are inside are held there. Empty: there are none.
-std::string held_inside(const scene::Scene& scene, const solve::Fields& fields) {
-  constexpr double counts = 0.01;  // mm
-  double deepest = counts;
-  std::string name;
-  std::set<int> inside;
-  if (scene.surface() == nullptr) return "";
-  for (const solve::Support& support : scene.problem().supports)
-    for (const int n : support.nodes) {
-      if (!(fields.gap[n] < -counts)) continue;
-      inside.insert(n);
-      if (-fields.gap[n] <= deepest) continue;
-      deepest = -fields.gap[n];
-      name = support.name;
-    }
-  if (inside.empty()) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "supports hold " << inside.size() << " nodes inside the body, up to " << deepest << " mm (support \"" << name
-       << "\"): the fabric steps over the body's surface beside them, and its pressure there is that of the step. "
-          "The inner face counts, half a thickness inside the mid-surface: place the panel with an \"offset\", or let "
-          "the support leave the direction of the body's normal free";
-  return text.str();
-}
-
-}  // namespace
-
-std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::Fields& fields,
-                                        const solve::StepReport& report) {
-  std::vector<std::string> warnings;
-  if (const std::string inside = held_inside(scene, fields); !inside.empty()) warnings.push_back(inside);
-  if (report.extrapolated > 0) {
-    std::ostringstream text;
-    text << "outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "
-         << fields.largest_extrapolation << " in " << fields.extrapolated_where;
-    warnings.push_back(text.str());
-  }
-  if (fields.isolated_contacts > 0)
-    warnings.push_back(std::to_string(fields.isolated_contacts) +
-                       " nodes touch the body while all their neighbours are free: the mesh is too coarse there, and "
-                       "their pressure is as uncertain as it is large (field pressure_error)");
-  if (fields.contacts_off_surface > 0)
-    warnings.push_back("the body has no smooth surface near " + std::to_string(fields.contacts_off_surface) +
-                       " nodes in contact: their pressure shows its facets");
-  return warnings;
-}
-
-std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,
-                    const solve::SolveStatistics& statistics, const base::Timer& timer) {
+std::string text_of(const Record& record, const base::Timer& timer) {
+  const scene::Scene& scene = record.scene();
+  const solve::Fields& fields = record.fields();
+  const solve::StepReport& report = record.last();
+  const solve::SolveStatistics& statistics = record.statistics();
   const Figures f = figures_of(fields, report);
   std::ostringstream out;
   out.precision(6);
@@ -187,4 +112,23 @@ std::string summary(const scene::Scene& scene, const solve::Fields& fields, cons
   return out.str();
 }
 
-}  // namespace toile::app
+class Summary : public Observer {
+ public:
+  Summary(base::Log& log, const base::Timer& timer) : log_(log), timer_(timer) {}
+
+  void end(const Record& record) override { log_.info(text_of(record, timer_)); }
+
+ private:
+  base::Log& log_;
+  const base::Timer& timer_;
+};
+
+}  // namespace
+
+Output summary_output() {
+  return {{}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
+            return std::make_unique<Summary>(context.log, context.timer);
+          }};
+}
+
+}  // namespace toile::run
