@@ -15,6 +15,10 @@ if(Python3_FOUND AND pybind11_FOUND AND NOT TOILE_SANITIZERS)
   set(toile_python ON)
 endif()
 option(TOILE_ENABLE_PYTHON "The Python module (needs pybind11 and NumPy)" ${toile_python})
+if(TOILE_ENABLE_PYTHON AND NOT (Python3_FOUND AND pybind11_FOUND))
+  message(FATAL_ERROR "TOILE_ENABLE_PYTHON=ON needs pybind11 (Debian: pybind11-dev), Python's headers (python3-dev) and NumPy "
+    "(python3-numpy); looked for Python in ${Python3_ROOT_DIR}")
+endif()
 # Cache variables outlive the mistake: a wrong one is dropped before it is refused.
 get_cmake_property(toile_cache CACHE_VARIABLES)
 list(FILTER toile_cache INCLUDE REGEX "^TOILE_ENABLE_")
