@@ -26,6 +26,9 @@ struct ShellFormulation {
   Rule<Nodes, Points> rule;             ///< of membrane and bending
   Rule<Nodes, ShearPoints> shear_rule;  ///< of transverse shear, of nodal areas and of the stabilisation
   ShearSampling<Nodes, Edges, ShearPoints> shear;
+  /// a: the transverse shear stiffness is G h0 h0^2/(h0^2 + a L^2), L the longest edge of the reference; see
+  /// shell3.cpp.
+  double shear_softening = 0.0;
 };
 
 /// Shell with 5 unknowns a node: its position and two rotations of its director since the start of the step.
@@ -89,6 +92,8 @@ class Shell final : public Element {
   /// Worst status of the element's layers.
   static std::uint8_t status(const Chunk& chunk, int k);
   void evaluate_element(const Batch& batch, const Chunk& chunk, int k, std::ptrdiff_t e, const Result& result) const;
+  /// Transverse shear stiffness of an element, N/mm.
+  double shear_stiffness(const Batch& batch, const State& state) const;
   static double add_points(const Chunk& chunk, int k, double thickness, bool with_tangent, NodalSystem<Nodes>& system);
   static void freeze_element(const Chunk& chunk, const PointResponse& natural, int k, double* frozen);
   /// Fields of the in-plane point k of the chunk: of its middle layer, with the worst status of its layers.
@@ -142,6 +147,21 @@ std::uint8_t Shell<Nodes, Edges, Points, ShearPoints, Control>::status(const Chu
 }
 
 template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+double Shell<Nodes, Edges, Points, ShearPoints, Control>::shear_stiffness(const Batch& batch,
+                                                                          const State& state) const {
+  const double stiffness = batch.shear_modulus * batch.thickness;
+  if (formulation_.shear_softening == 0.0) return stiffness;
+  double longest = 0.0;  // squared
+  for (const auto& [i, j] : formulation_.shear.edge) {
+    double edge[3];
+    for (int c = 0; c < 3; ++c) edge[c] = state.nodes.X[j][c] - state.nodes.X[i][c];
+    longest = std::max(longest, dot(edge, edge));
+  }
+  const double squared = batch.thickness * batch.thickness;
+  return stiffness * squared / (squared + formulation_.shear_softening * longest);
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
 double Shell<Nodes, Edges, Points, ShearPoints, Control>::add_points(const Chunk& chunk, int k, double thickness,
                                                                      bool with_tangent, NodalSystem<Nodes>& system) {
   const PointResponse& response = chunk.response;
@@ -183,7 +203,7 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::evaluate_element(const B
     if (with_tangent) part.add_stiffness(system);
   };
   AssumedShear<Nodes, Edges, ShearPoints> shear;
-  shear.set_reference(formulation_.shear, state.nodes, state.shear_point, batch.shear_modulus * batch.thickness);
+  shear.set_reference(formulation_.shear, state.nodes, state.shear_point, shear_stiffness(batch, state));
   shear.deform(state.nodes);
   add(shear);
   if constexpr (has_control) {
