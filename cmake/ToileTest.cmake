@@ -1,8 +1,8 @@
 # toile_test(<name> SOURCES <files...> USES <packages...> [RANKS 1 3] [LABELS ...] [TIMEOUT s])
 #
 # One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
-# under mpirun, and its main initialises MPI. Target tests_<label> builds what has a label; "fast" marks what the sanitizer
-# build runs.
+# under mpirun, and its main initialises MPI. Target tests_<label> builds what has a label; "sanitized" marks what the
+# sanitizer build runs beside "fast" and "solve".
 # Tests run side by side: ranks must not be bound to the same cores, nor spin while they wait.
 set(TOILE_MPIRUN ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 
@@ -28,9 +28,11 @@ function(toile_test name)
     set(arg_TIMEOUT 300)
   endif()
   add_executable(${name} ${arg_SOURCES})
+  # What is measured is in the packages: the tests themselves need to compile quickly.
   if(CMAKE_BUILD_TYPE STREQUAL Release)
-    # What is measured is in the packages: the tests themselves need to compile quickly.
     target_compile_options(${name} PRIVATE -O1)
+  elseif(TOILE_SANITIZERS)
+    target_compile_options(${name} PRIVATE -O0)
   endif()
   # Every source of a test has small helpers of its own, whose names it need not share.
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
@@ -56,6 +58,7 @@ function(toile_test name)
     add_test(NAME ${name}_np${ranks}
       COMMAND ${TOILE_MPIRUN} -n ${ranks} $<TARGET_FILE:${name}>)
     set_tests_properties(${name}_np${ranks} PROPERTIES TIMEOUT ${arg_TIMEOUT} PROCESSORS ${ranks} LABELS "${arg_LABELS}"
-      ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1")
+      # MPI does not give back all of its memory.
+      ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;ASAN_OPTIONS=detect_leaks=0")
   endforeach()
 endfunction()

@@ -129,7 +129,7 @@ TEST_F(BadInput, PanelThatOverlapsItself) {
                                                       parameter("left", "Array(double)", "{0, 0, 50, 100}")},
                         {parameter("width", "double", "50"), ""},
                         {parameter("height", "double", "100"), ""}});
-  expect_refused("panel \"strip\" overlaps itself near (25, 50) mm of its pattern; its outline must not cross");
+  expect_refused("panel \"strip\": it overlaps itself near (25, 50) mm of its pattern; its outline must not cross");
 }
 
 // The published T-shirt weights as printed violate the conditions of the material, and the message says what to do.

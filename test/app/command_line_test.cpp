@@ -96,8 +96,8 @@ TEST_F(CommandLine, DescribesThePathsOfErrors) {
   EXPECT_EQ(list.status, 0);
   EXPECT_THAT(list.out, StartsWith("scene > Panels > <panel> > Placement\n"));
   const Outcome parameter = toile("describe 'Panels > front > elements across'");
-  EXPECT_THAT(parameter.out, AllOf(StartsWith("Panels > <panel>\n"), HasSubstr("  elements across  [int; "),
-                                   Not(HasSubstr("elements along"))));
+  EXPECT_THAT(parameter.out, AllOf(StartsWith("Panels > <panel>, mesher = \"structured\"\n"),
+                                   HasSubstr("  elements across  [int; "), Not(HasSubstr("elements along"))));
   const Outcome variants = toile("describe 'Body > radius'");
   EXPECT_THAT(variants.out, AllOf(HasSubstr("Body, type = \"cylinder\"\n"), HasSubstr("Body, type = \"sphere\"\n")));
   write_scene("strip", {{"value=\"rectangle\"", "value=\"rectangel\""}});

@@ -1,6 +1,7 @@
 // Pieces of bodies: inside others, beside others, in crumbs, and copies of vertices that belong together.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <random>
 #include <sstream>
@@ -62,6 +63,55 @@ TEST(Import, NestedTubes) {
     EXPECT_EQ(import.notes,
               inside ? "pieces inside another left out: 1 (of them cavities, whose facets look inwards: 1)" : "");
   }
+}
+
+// Two pieces through each other are refused, with their extents, the number of pairs of facets and the way out.
+TEST(Import, PiecesThroughEachOther) {
+  const TriangleMesh two = twins(Vec3(50.0, 3.0, 1.0));
+  EXPECT_THAT(
+      message(test::write_obj("two", two)),
+      AllOf(HasSubstr("2 of the 2 connected pieces intersect or touch each other: piece 1 ("),
+            testing::ContainsRegex(
+                "piece 2 \\([0-9]+ triangles, x -9.563 to 109.6, y -56.13 to 62.13, z -59 to 61 mm\\)"),
+            testing::ContainsRegex("[1-9][0-9]+ pairs of facets of different pieces intersect, one of them near \\("),
+            HasSubstr("Join the pieces into one closed surface")));
+}
+
+// Where only one of two pieces through each other can be reached, they are a warning.
+TEST(Import, PiecesThroughEachOtherOutOfReach) {
+  ImportOptions options = small();
+  options.reach.upper.x() = -20.0;
+  EXPECT_THAT(import_body(test::write_obj("two", twins(Vec3(50.0, 3.0, 1.0))), options).notes,
+              testing::ContainsRegex("warning: [0-9]+ pairs of facets intersect"));
+}
+
+// Pieces that touch with one corner from outside are two pieces; from inside they are refused.
+TEST(Import, PiecesThatShareOneCorner) {
+  const TriangleMesh one = ball();
+  const auto lowest = std::min_element(one.vertices.begin(), one.vertices.end(),
+                                       [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  TriangleMesh outside = twins(Vec3::Zero()), inside = outside;
+  for (std::size_t i = one.vertices.size(); i < outside.vertices.size(); ++i) {
+    outside.vertices[i] = *lowest - (one.vertices[i - one.vertices.size()] - *lowest);
+    inside.vertices[i] = *lowest + 0.5 * (one.vertices[i - one.vertices.size()] - *lowest);
+  }
+  for (std::size_t t = one.triangles.size(); t < outside.triangles.size(); ++t) {
+    std::swap(outside.triangles[t][0], outside.triangles[t][1]);  // mirrored
+  }
+  EXPECT_NEAR(volume(import_body(test::write_obj("outside", outside), small()).mesh), 2.0 * volume(one), 1e-3);
+  EXPECT_THAT(message(test::write_obj("inside", inside)), HasSubstr("2 of the 2 connected pieces intersect or touch"));
+}
+
+// Pieces inside another one may intersect each other: none of them is the skin.
+TEST(Import, PiecesThroughEachOtherInsideAnother) {
+  TriangleMesh mesh = ball();
+  const TriangleMesh bones = twins(Vec3(50.0, 3.0, 1.0));
+  const int n = static_cast<int>(mesh.vertices.size());
+  for (const Vec3& v : bones.vertices) mesh.vertices.push_back(0.3 * v);
+  for (const auto& t : bones.triangles) mesh.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  const Import import = import_body(test::write_obj("bones", mesh), small());
+  EXPECT_NEAR(volume(import.mesh), volume(ball()), 1e-3);
+  EXPECT_THAT(import.notes, HasSubstr("pieces inside another left out: 2"));
 }
 
 // A body that falls into thousands of pieces is read without comparing each of them with each other.

@@ -11,7 +11,6 @@ namespace {
 using test::ball;
 using test::message;
 using test::small;
-using test::twins;
 using test::volume;
 using test::write_text;
 using testing::HasSubstr;
@@ -135,8 +134,8 @@ TEST(Import, InconsistentFacets) {
   EXPECT_NEAR(volume(import_body(file, options).mesh), volume(ball()), 1e-3);
 }
 
-// Facets without area are removed and reported; two bodies through each other are accepted with a warning.
-TEST(Import, DegenerateAndIntersectingFacets) {
+// Facets without area are removed and reported.
+TEST(Import, DegenerateFacets) {
   const std::string flat = write_text("flat.obj", block_obj + "v 50 0 0\nf 1 1 2\n");
   EXPECT_EQ(import_body(flat, small()).notes, "1 degenerate or repeated facets removed");
   std::string sliver = block_obj + "v 50 0 0\nf 1 2 9\n";
@@ -144,9 +143,6 @@ TEST(Import, DegenerateAndIntersectingFacets) {
   const Import closed = import_body(write_text("sliver.obj", sliver), small());
   EXPECT_EQ(closed.notes, "1 facets without area removed");
   EXPECT_NEAR(volume(closed.mesh), 1e6, 1e-3);
-  const TriangleMesh two = twins(Vec3(50.0, 3.0, 1.0));
-  EXPECT_THAT(import_body(test::write_obj("two", two), small()).notes,
-              testing::ContainsRegex("warning: [0-9]+ pairs of facets intersect"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 class Pressure : public ProgramTest {
  protected:
   /// Runs test/data/cases/pressure/<name>.xml with each text replaced wherever it stands.
-  void run(const std::string& name, const Edits& edits) const {
+  void run(const std::string& name, const Edits& edits) {
     std::ifstream stream(TOILE_SOURCE_DIR "/test/data/cases/pressure/" + name + ".xml");
     std::string text((std::istreambuf_iterator<char>(stream)), {});
     for (const auto& [from, to] : edits) {
@@ -25,7 +25,9 @@ class Pressure : public ProgramTest {
     write("scene.xml", text);
     const Outcome outcome = toile("run scene.xml --output out");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
+    said_ = outcome.out + outcome.err;
   }
+  const std::string& said() const { return said_; }
   /// A field at the garment's nodes, in their order: those of the body, behind them, have no area.
   std::vector<double> field(const std::string& name) const {
     const ExodusStep last(path("out/results.exo"));
@@ -42,6 +44,9 @@ class Pressure : public ProgramTest {
       EXPECT_LE(error[n], 2.0 * tolerance * kpa) << "node " << n + 1;
     }
   }
+
+ private:
+  std::string said_;
 };
 
 /// Parts of sleeve.xml that the tests replace.
@@ -99,6 +104,21 @@ TEST_F(Pressure, OfTrianglesIsOfSecondOrder) {
     EXPECT_LE(error[1], 0.01);
     EXPECT_GE(std::log2(error[0] / error[1]), 1.8);
   }
+}
+
+// An end that is held in all directions with its mid-surface on the body lies half a thickness inside: the run tells
+// it. With an offset of half a thickness and more it does not.
+TEST_F(Pressure, BesideNodesHeldInsideTheBodyIsWarnedOf) {
+  const std::string at = R"(name="offset" type="double" value="0.3")", hold = R"(name="hold" type="string" value="z")";
+  const std::string coverage = R"(name="coverage" type="double" value="0.97")",
+                    closed = R"(name="coverage" type="double" value="1.0")";
+  const std::string inner = R"(name="contact surface" type="string" value="inner face")";
+  const std::string all = R"(name="hold" type="string" value="xyz")";
+  run("sleeve", {{middle, inner}, {hold, all}, {coverage, closed}, {at, R"(name="offset" type="double" value="0.0")"}});
+  EXPECT_NE(said().find("supports hold 41 nodes inside the body"), std::string::npos) << said();
+  run("sleeve",
+      {{middle, inner}, {hold, all}, {coverage, closed}, {at, R"(name="offset" type="double" value="0.26")"}});
+  EXPECT_EQ(said().find("inside the body, up to"), std::string::npos) << said();
 }
 
 // On a stocking that is held along z everywhere, the pressure on the seam is that beside it, on two meshes, and the

@@ -38,7 +38,7 @@ Garment sleeve(const body::Surface& body) {
 // narrow.
 TEST(Garment, SleeveIsComplete) {
   const Garment garment = sleeve(test::EllipticCylinder(60.0, 60.0));
-  EXPECT_THAT(garment.materials, ::testing::ElementsAre("front knit", "back knit"));
+  EXPECT_EQ(garment.mesh.blocks[0].material, "front knit");
   EXPECT_EQ(garment.mesh.blocks[1].name, "back");
   EXPECT_EQ(garment.mesh.blocks[1].material, "back knit");
   EXPECT_EQ(garment.clusters.members.size(), 2u * 11u * 17u - 2u * 17u);

@@ -15,7 +15,7 @@ using test::reals;
 using ::testing::HasSubstr;
 
 Panel build(const Teuchos::ParameterList& panels) {
-  return build_panel(base::validate(panels, panels_spec(), "scene.xml").entries().front());
+  return build_panels(base::validate(panels, panels_spec(), "scene.xml"), nullptr).front();
 }
 
 /// A four-sided panel "front" with straight sides.
@@ -52,26 +52,26 @@ TEST(Panel, Rectangle) {
   Teuchos::ParameterList& entry = test::add_rectangle(panels, "front", 150.0, 50.0, 6, 4);
   const Panel panel = build(panels);
   EXPECT_EQ(panel.name, "front");
-  EXPECT_EQ(panel.material, "knit");
-  EXPECT_DOUBLE_EQ(panel.wale_angle, M_PI / 2.0);
-  EXPECT_EQ(panel.grid.connectivity.size(), 4u * 24u);
-  EXPECT_NEAR((panel.grid.nodes.back() - mesh::Vec2(150.0, 50.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(panel.fabrics.at("").material, "knit");
+  EXPECT_DOUBLE_EQ(panel.fabrics.at("").wale_angle, M_PI / 2.0);
+  EXPECT_EQ(panel.mesh.parts.front().connectivity.size(), 4u * 24u);
+  EXPECT_NEAR((panel.mesh.nodes.back() - mesh::Vec2(150.0, 50.0)).norm(), 0.0, 1e-12);
   entry.set("wale angle", 45.0);
   entry.set("elements", std::string("triangle"));
   entry.set("grading across", 2.0);
   const Panel other = build(panels);
-  EXPECT_DOUBLE_EQ(other.wale_angle, M_PI / 4.0);
-  EXPECT_EQ(other.grid.connectivity.size(), 3u * 48u);
-  EXPECT_NEAR(other.grid.nodes[1].x(), 150.0 * 0.5 / 9.0, 1e-12);
+  EXPECT_DOUBLE_EQ(other.fabrics.at("").wale_angle, M_PI / 4.0);
+  EXPECT_EQ(other.mesh.parts.front().connectivity.size(), 3u * 48u);
+  EXPECT_NEAR(other.mesh.nodes[1].x(), 150.0 * 0.5 / 9.0, 1e-12);
 }
 
 // A four-sided panel has its nodes on the given sides, curved ones included.
 TEST(Panel, FourSided) {
   const Panel panel =
       build(quadrangle({0, 0, 50, -10, 100, 0}, {100, 0, 90, 120}, {10, 120, 90, 120}, {0, 0, 10, 120}));
-  EXPECT_NEAR((panel.grid.nodes[panel.grid.node(2, 0)] - mesh::Vec2(50.0, -10.0)).norm(), 0.0, 1e-9);
-  EXPECT_NEAR((panel.grid.nodes[panel.grid.node(4, 5)] - mesh::Vec2(90.0, 120.0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((panel.grid.nodes[panel.grid.node(0, 1)] - mesh::Vec2(2.0, 24.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((panel.mesh.nodes[panel.mesh.node(2, 0)] - mesh::Vec2(50.0, -10.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((panel.mesh.nodes[panel.mesh.node(4, 5)] - mesh::Vec2(90.0, 120.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((panel.mesh.nodes[panel.mesh.node(0, 1)] - mesh::Vec2(2.0, 24.0)).norm(), 0.0, 1e-12);
 }
 
 // A side of straight lines keeps its kink.
@@ -82,7 +82,7 @@ TEST(Panel, PolylineSide) {
   panels.sublist("front").set("elements along", 50);
   const Panel panel = build(panels);
   for (int j = 0; j <= 20; ++j) {
-    const mesh::Vec2 node = panel.grid.nodes[panel.grid.node(0, j)];
+    const mesh::Vec2 node = panel.mesh.nodes[panel.mesh.node(0, j)];
     EXPECT_NEAR(4.0 * node.x() + 3.0 * node.y(), 0.0, 1e-9);
   }
 }
@@ -90,8 +90,8 @@ TEST(Panel, PolylineSide) {
 // A profile is symmetric, has level rows and the stated widths.
 TEST(Panel, ProfileHasItsWidths) {
   const Panel panel = build(leg({0.0, 100.0, 250.0, 400.0}, {100.0, 170.0, 150.0, 260.0}));
-  const mesh::Grid& grid = panel.grid;
-  for (int j = 0; j <= grid.along; ++j) {
+  const mesh::PanelMesh& grid = panel.mesh;
+  for (int j = 0; j < grid.rows(); ++j) {
     const mesh::Vec2 left = grid.nodes[grid.node(0, j)], right = grid.nodes[grid.node(8, j)];
     EXPECT_NEAR(left.x(), -right.x(), 1e-9);
     EXPECT_NEAR((grid.nodes[grid.node(2, j)] - (0.75 * left + 0.25 * right)).norm(), 0.0, 1e-9);
@@ -106,8 +106,9 @@ TEST(Panel, ProfileHasItsWidths) {
 TEST(Panel, CrossingOutlineIsRefused) {
   const auto panels = quadrangle({0, 0, 100, 0}, {100, 0, 20, 100}, {80, 100, 20, 100}, {0, 0, 80, 100});
   const std::string message = input_error([&panels] { build(panels); });
-  EXPECT_THAT(message, HasSubstr("panel \"front\" overlaps itself near (50, 62.5) mm of its pattern; its outline must "
-                                 "not cross or touch itself"));
+  EXPECT_THAT(message,
+              HasSubstr("panel \"front\": it overlaps itself near (50, 62.5) mm of its pattern; its outline must "
+                        "not cross or touch itself"));
   EXPECT_THAT(message, HasSubstr("scene.xml"));
 }
 
@@ -125,7 +126,8 @@ TEST(Panel, ClockwiseOutlineIsRefused) {
   const auto panels = quadrangle({100, 0, 0, 0}, {0, 0, 0, 100}, {100, 100, 0, 100}, {100, 0, 100, 100});
   EXPECT_THAT(
       input_error([&panels] { build(panels); }),
-      HasSubstr("the outline of panel \"front\" runs clockwise: \"bottom\" and \"top\" must run from left to right"));
+      HasSubstr("panel \"front\": the outline must run counter-clockwise and holes clockwise, seen from the right "
+                "side of the fabric"));
 }
 
 // A simple outline whose inside folds over is refused with the place.
@@ -162,12 +164,12 @@ TEST(Panel, Sector) {
   Teuchos::ParameterList panels;
   Teuchos::ParameterList& entry = test::add_sector(panels, 120.0, 6, 4);
   entry.set("from angle", 30.0);
-  const mesh::Grid grid = build(panels).grid;
+  const mesh::PanelMesh grid = build(panels).mesh;
   EXPECT_NEAR((grid.nodes[grid.node(4, 0)] - 10.0 * mesh::Vec2(0.0, 1.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((grid.nodes[grid.node(4, 4)] - 6.0 * mesh::Vec2(0.0, 1.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((grid.nodes[grid.node(0, 1)] - 9.0 * mesh::Vec2(std::cos(M_PI / 6), 0.5)).norm(), 0.0, 1e-12);
   entry.set("to angle", 390.0);
-  const mesh::Grid ring = build(panels).grid;
+  const mesh::PanelMesh ring = build(panels).mesh;
   EXPECT_NEAR((ring.nodes[ring.node(6, 2)] - ring.nodes[ring.node(0, 2)]).norm(), 0.0, 1e-12);
 }
 
@@ -193,11 +195,11 @@ TEST(Panel, Discs) {
   Teuchos::ParameterList panels;
   Teuchos::ParameterList& entry = test::add_panel(panels, "drum", "disc", 4, 4);
   entry.set("radius", 20.0);
-  const mesh::Grid whole = build(panels).grid;
-  for (const int id : whole.column(0)) EXPECT_NEAR(whole.nodes[id].norm(), 20.0, 1e-12);
+  const mesh::PanelMesh whole = build(panels).mesh;
+  for (const int id : whole.edges.at("left")) EXPECT_NEAR(whole.nodes[id].norm(), 20.0, 1e-12);
   EXPECT_NEAR((whole.nodes[whole.node(2, 0)] - mesh::Vec2(0.0, -20.0)).norm(), 0.0, 1e-12);
   entry.set("shape", std::string("quarter disc"));
-  const mesh::Grid quarter = build(panels).grid;
+  const mesh::PanelMesh quarter = build(panels).mesh;
   EXPECT_NEAR(quarter.nodes[0].norm(), 0.0, 1e-12);
   EXPECT_NEAR((quarter.nodes[quarter.node(4, 0)] - mesh::Vec2(20.0, 0.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((quarter.nodes[quarter.node(0, 4)] - mesh::Vec2(0.0, 20.0)).norm(), 0.0, 1e-12);

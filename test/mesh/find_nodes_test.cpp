@@ -22,7 +22,7 @@ Mesh two_panels(double grading = 1.0) {
   for (const char* name : {"back", "front"}) {
     const Grid grid = mesh_four_sided(name, rectangle(40.0, 60.0), options);
     const std::vector<Vec3> anywhere(grid.nodes.size(), Vec3::Zero());
-    add_panel(mesh, name, "knit", grid, {anywhere, anywhere}, 0.0);
+    add_panel(mesh, name, panel_mesh(grid), {anywhere, anywhere}, {{"", {"knit", 0.0}}});
   }
   return mesh;
 }
@@ -96,11 +96,32 @@ TEST(FindNodes, BadPlaces) {
   EXPECT_EQ(problem("front.top-left@0.5"), "\"front.top-left\" is one node, so \"@\" and a place cannot follow");
 }
 
+// A part of an edge is the nodes between its bounds: relative arc lengths, lengths in mm, or notches.
+TEST(FindNodes, PartOfAnEdge) {
+  Mesh mesh = two_panels();
+  const std::vector<int> left = mesh.edges.at("front.left");
+  const auto part = [&left](std::size_t from, std::size_t to) {
+    return std::vector<int>(left.begin() + static_cast<std::ptrdiff_t>(from),
+                            left.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+  };
+  const std::size_t last = left.size() - 1;
+  ASSERT_GE(last, 3U);
+  EXPECT_EQ(find_nodes(mesh, "front.left[start:end]").nodes, left);
+  const double third = 60.0 / static_cast<double>(last);
+  EXPECT_EQ(find_nodes(mesh, "front.left[start:" + std::to_string(third) + "mm]").nodes, part(0, 1));
+  mesh.panels.back().notches = {{"mark", "left", left[2]}};
+  EXPECT_EQ(find_nodes(mesh, "front.left[mark:end]").nodes, part(2, last));
+  EXPECT_THAT(find_nodes(mesh, "front.left[marc:end]").problem, HasSubstr("mark"));
+  EXPECT_THAT(find_nodes(mesh, "front.left[0.5:0.5]").problem, ::testing::Not(""));
+  EXPECT_THAT(find_nodes(mesh, "frnt.left[0:0.5]").problem, HasSubstr("front.left"));
+}
+
 // A panel that was not meshed row by row has no places inside.
 TEST(FindNodes, PanelWithoutRows) {
   Mesh mesh = two_panels();
-  mesh.edges.clear();
-  EXPECT_EQ(find_nodes(mesh, "front@0.5,0.5").problem, "\"front\" has no rows and columns of elements");
+  mesh.panels.back().across = 0;
+  EXPECT_EQ(find_nodes(mesh, "front@0.5,0.5").problem,
+            "panel \"front\" has no rows and columns of elements; a point of its pattern is \"front@(12.5,40)\"");
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "toile/base/error.hpp"
-#include "toile/mesh/polygon.hpp"
 
 namespace toile::mesh {
 namespace {
@@ -15,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 Curve line(const Vec2& a, const Vec2& b) {
-  return Curve({a, b}, Interpolation::polyline);
+  return Curve::line(a, b);
 }
 
 Curve arc(double radius, double from, double to, int points = 65) {
@@ -24,7 +23,7 @@ Curve arc(double radius, double from, double to, int points = 65) {
     const double angle = from + (to - from) * i / (points - 1);
     at.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return Curve(at, Interpolation::smooth);
+  return Curve::spline(at);
 }
 
 /// Quarter of a ring between the radii 50 and 100 mm; bottom lies on the x axis.
@@ -36,9 +35,12 @@ FourSides quarter_ring() {
 double area(const Grid& grid) {
   double sum = 0.0;
   for (std::size_t e = 0; e < grid.connectivity.size(); e += grid.nodes_per_element) {
-    std::vector<Vec2> corners;
-    for (int k = 0; k < grid.nodes_per_element; ++k) corners.push_back(grid.nodes[grid.connectivity[e + k]]);
-    const double one = signed_area(corners);
+    double one = 0.0;
+    for (int k = 0; k < grid.nodes_per_element; ++k) {
+      const Vec2& a = grid.nodes[grid.connectivity[e + k]];
+      const Vec2& b = grid.nodes[grid.connectivity[e + (k + 1) % grid.nodes_per_element]];
+      one += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
     EXPECT_GT(one, 0.0);
     sum += one;
   }
@@ -189,10 +191,9 @@ TEST(FourSided, DistortionKeepsTheOutline) {
 
 // A map that folds over is refused with the panel's name and the place.
 TEST(FourSided, FoldedMapIsRefused) {
-  const Curve deep({{0.0, 0.0}, {50.0, 95.0}, {100.0, 0.0}}, Interpolation::smooth);
+  const Curve deep = Curve::spline({{0.0, 0.0}, {50.0, 95.0}, {100.0, 0.0}});
   const FourSides sides{deep, line({100.0, 0.0}, {100.0, 100.0}),
-                        Curve({{0.0, 100.0}, {50.0, 60.0}, {100.0, 100.0}}, Interpolation::smooth),
-                        line({0.0, 0.0}, {0.0, 100.0})};
+                        Curve::spline({{0.0, 100.0}, {50.0, 60.0}, {100.0, 100.0}}), line({0.0, 0.0}, {0.0, 100.0})};
   try {
     mesh_four_sided("sleeve", sides, options(8, 8));
     FAIL() << "no error";
@@ -216,8 +217,8 @@ TEST(FourSided, PanelsAreAddedOneAfterAnother) {
   const Grid grid = mesh_four_sided("front", rectangle(20.0, 40.0), options(2, 4));
   const Placed placed{std::vector<Vec3>(grid.nodes.size(), Vec3(1.0, 2.0, 3.0)),
                       std::vector<Vec3>(grid.nodes.size(), Vec3::UnitZ())};
-  add_panel(mesh, "front", "knit", grid, placed, M_PI / 2);
-  add_panel(mesh, "back", "knit", grid, placed, 0.0);
+  add_panel(mesh, "front", panel_mesh(grid), placed, {{"", {"knit", M_PI / 2}}});
+  add_panel(mesh, "back", panel_mesh(grid), placed, {{"", {"knit", 0.0}}});
   EXPECT_EQ(mesh.nodes(), 30);
   EXPECT_EQ(mesh.elements(), 16);
   EXPECT_THAT(mesh.edges.at("front.bottom"), ::testing::ElementsAre(0, 1, 2));

@@ -24,7 +24,7 @@ Mesh two_panels(bool triangles = false) {
   for (const char* name : {"front", "back"}) {
     const Grid grid = mesh_four_sided(name, rectangle(80.0, 300.0), options);
     const std::vector<Vec3> anywhere(grid.nodes.size(), Vec3::Zero());
-    add_panel(mesh, name, "knit", grid, {anywhere, anywhere}, 0.0);
+    add_panel(mesh, name, panel_mesh(grid), {anywhere, anywhere}, {{"", {"knit", 0.0}}});
   }
   return mesh;
 }
@@ -124,7 +124,7 @@ TEST(Partition, TooManyRanksAreRefused) {
   Mesh mesh;
   const Grid grid = mesh_four_sided("patch", rectangle(1.0, 1.0), {});
   const std::vector<Vec3> anywhere(4, Vec3::Zero());
-  add_panel(mesh, "patch", "knit", grid, {anywhere, anywhere}, 0.0);
+  add_panel(mesh, "patch", panel_mesh(grid), {anywhere, anywhere}, {{"", {"knit", 0.0}}});
   try {
     partition(mesh, {0, 1, 2, 3}, 2);
     FAIL() << "no error";

@@ -114,6 +114,23 @@ TEST(PressureLines, ConeIsExact) {
   EXPECT_EQ(rows[2].smallest_stress, 0.02);
 }
 
+// A tension that changes along the garment, one value an element, is that of the section's height at any height.
+TEST(PressureLines, TensionIsThatOfTheHeight) {
+  Cone cone;
+  const auto tension = [](double z) { return 0.06 + 1e-3 * (z - first_height); };
+  for (int e = 0; e < cone.mesh.elements(); ++e) {
+    double z = 0.0;
+    for (std::size_t k = 0; k < 4; ++k)
+      z += 0.25 * cone.fields.position[static_cast<std::size_t>(cone.mesh.blocks[0].connectivity[4 * e + k])].z();
+    cone.fields.tension[static_cast<std::size_t>(e)] *= tension(z) / 0.06;
+  }
+  for (const double share : {0.33, 0.4, 0.51}) {
+    const double z = first_height + share * height;
+    const std::vector<LevelRow> rows = levels(cone.fields, {}, {{"here", z}});
+    EXPECT_NEAR(rows.front().hoop_tension, tension(z), 2e-3 * tension(z)) << z;
+  }
+}
+
 // Heights are measured along any axis from its point, whatever the length of the direction.
 TEST(PressureLines, AxisMayPointAnywhere) {
   Cone cone;

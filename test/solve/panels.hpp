@@ -47,6 +47,8 @@ struct Panels {
     const int panel = static_cast<int>(mesh.blocks.size());
     mesh::Block block;
     block.name = "panel" + std::to_string(panel);
+    block.panel = panel;
+    mesh.panels.push_back({block.name, panel * nodes(), nodes(), across, {}});
     for (int j = 0; j <= along; ++j)
       for (int i = 0; i <= across; ++i) {
         mesh.pattern.emplace_back(size * i, size * j);

@@ -77,6 +77,7 @@ struct Sleeve {
         block.position.push_back((j + 0.5) / o.along);
       }
     mesh.blocks.push_back(block);
+    mesh.panels.push_back({"sleeve", 0, mesh.nodes(), o.around, {}});
 
     solve::Support bottom{"bottom", {}, {false, false, true}, solve::Vec3::Zero()};
     solve::Support top = bottom;
@@ -112,6 +113,8 @@ struct Sleeve {
     const size_t clusters = problem.clusters.size();
     mesh::Block block = mesh.blocks.front();
     block.name = "copy";
+    block.panel = 1;
+    mesh.panels.push_back({"copy", nodes, nodes, mesh.panels.front().across, {}});
     for (int& node : block.connectivity) node += nodes;
     mesh.blocks.push_back(block);
     for (int n = 0; n < nodes; ++n) {

@@ -92,12 +92,12 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   sewn.run(sew);
   EXPECT_GT(steps, 2);
   EXPECT_TRUE(undamped_at_end);
-  EXPECT_LT(largest_gap, 1e-6);
+  EXPECT_LT(largest_gap, 1e-12);
   EXPECT_GT(damped_share, 1e-9);  // while it sews, the damping carries a part
   EXPECT_LT(last_share, 1e-10);
   EXPECT_DOUBLE_EQ(sewn.state().seam, 1.0);
   const double expected = mid_pressure(closed, direct.state(), 24, 8);
-  EXPECT_NEAR(mid_pressure(open, sewn.state(), 24, 8) / expected, 1.0, 1e-6);
+  EXPECT_NEAR(mid_pressure(open, sewn.state(), 24, 8) / expected, 1.0, 1e-8);
 }
 
 // Forces of body, supports, loads, damping and pins add up to zero, also with the contact force taken from the written

@@ -214,7 +214,7 @@ TEST(Stage, ReleasedSupportCarriesNothing) {
   settle.released = {"top"};
   run.simulation.run(settle);
   EXPECT_EQ(run.last().balance.support[1], solve::Vec3::Zero());
-  EXPECT_LT(std::abs(run.last().balance.support[0][2]), 1e-6);
+  EXPECT_LT(std::abs(run.last().balance.support[0][2]), 1e-12);
   EXPECT_GT(mid_pressure(open, run.simulation.state(), o.around, o.along), 0.0);
 }
 

@@ -13,8 +13,8 @@ void expect_sound(const Leg& leg) {
   EXPECT_EQ(leg.state.seam, 1.0);
   EXPECT_TRUE(leg.report.undamped);
   EXPECT_EQ(leg.report.negative_pivots, 0);
-  EXPECT_LE(leg.imbalance(), 1e-6);
-  EXPECT_LE(leg.report.gap, 1e-6);
+  EXPECT_LE(leg.imbalance(), 1e-10);
+  EXPECT_LE(leg.report.gap, 1e-12);
 }
 
 void expect_decreasing(const std::vector<LegLevel>& level) {

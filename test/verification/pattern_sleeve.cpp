@@ -81,6 +81,7 @@ PatternSleeve::PatternSleeve(const ContactReference& reference, const PatternMes
       surface_(options.surface ? options.surface : surface_of(reference)),
       material_(fabric_of(reference.part(is_waist(reference) ? 2 : 3), options)) {
   mesh_.pattern.assign(flat.nodes.begin(), flat.nodes.end());
+  mesh_.panels.push_back({"sleeve", 0, mesh_.nodes(), 0, {}});
   std::vector<int> four, three;
   for (const auto& e : flat.quadrilaterals) four.insert(four.end(), e.begin(), e.end());
   for (const auto& e : flat.triangles) three.insert(three.end(), e.begin(), e.end());

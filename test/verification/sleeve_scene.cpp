@@ -119,8 +119,8 @@ Sleeve settle(const SleeveOptions& options) {
 
 void expect_balanced(const Sleeve& sleeve) {
   EXPECT_GT(sleeve.report.balance.magnitude, 0.0);
-  EXPECT_LE(sleeve.imbalance(), 1e-6);
-  EXPECT_LE(sleeve.largest_gap(), 1e-6);
+  EXPECT_LE(sleeve.imbalance(), 2e-10);
+  EXPECT_LE(sleeve.largest_gap(), 1e-12);
 }
 
 }  // namespace toile::test

@@ -119,7 +119,7 @@ std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const
   for (const mesh::Block& block : mesh.blocks)
     for (const int n : block.connectivity)
       if (told[n] && fields.pressure[n] > (largest ? largest->pressure : 0.0))
-        largest = {fields.pressure[n], fields.pressure_error[n], block.name, fields.position[n]};
+        largest = {fields.pressure[n], fields.pressure_error[n], mesh.panel_of(block).name, fields.position[n]};
   return largest;
 }
 

@@ -213,7 +213,7 @@ int run(const RunArguments& arguments) {
     tell(simulation, log);
     for (const std::string& warning : pressure.warnings) log.warn(warning);
     tell_idle(scene, recorder->last(), log);
-    for (const std::string& warning : field_warnings(recorder->last(), last)) log.warn(warning);
+    for (const std::string& warning : field_warnings(scene, recorder->last(), last)) log.warn(warning);
     log.info(summary(scene, recorder->last(), last, simulation.statistics(), timer));
     log.info(findings(scene, recorder->last(), pressure) + files_text(*recorder));
     if (const auto warning = implausible_pressure(scene, recorder->last())) log.warn(*warning);

@@ -27,7 +27,8 @@ void check_length(const base::List& entry, const std::string& held) {
 
 void check_names(const scene::Scene& scene, const base::List& list) {
   for (const base::List& panel : list.list("Panels").entries()) {
-    check_length(panel, panel.name() + ".bottom");
+    for (const auto& [edge, nodes] : scene.garment().mesh.edges)
+      if (edge.compare(0, panel.name().size() + 1, panel.name() + ".") == 0) check_length(panel, edge);
     if (panel.name() == "body" && scene.surface() != nullptr)
       fail_name(panel, "a panel cannot be named \"body\" in a scene with a body, which has this name in results.exo");
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "toile/base/units.hpp"
@@ -94,8 +95,39 @@ Figures figures_of(const solve::Fields& fields, const solve::StepReport& report)
   return f;
 }
 
-std::vector<std::string> field_warnings(const solve::Fields& fields, const solve::StepReport& report) {
+namespace {
+
+/// Contact lets no free node into the body, so those that are inside are held there. Empty: there are none.
+std::string held_inside(const scene::Scene& scene, const solve::Fields& fields) {
+  constexpr double counts = 0.01;  // mm
+  double deepest = counts;
+  std::string name;
+  std::set<int> inside;
+  if (scene.surface() == nullptr) return "";
+  for (const solve::Support& support : scene.problem().supports)
+    for (const int n : support.nodes) {
+      if (!(fields.gap[n] < -counts)) continue;
+      inside.insert(n);
+      if (-fields.gap[n] <= deepest) continue;
+      deepest = -fields.gap[n];
+      name = support.name;
+    }
+  if (inside.empty()) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "supports hold " << inside.size() << " nodes inside the body, up to " << deepest << " mm (support \"" << name
+       << "\"): the fabric steps over the body's surface beside them, and its pressure there is that of the step. "
+          "The inner face counts, half a thickness inside the mid-surface: place the panel with an \"offset\", or let "
+          "the support leave the direction of the body's normal free";
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::Fields& fields,
+                                        const solve::StepReport& report) {
   std::vector<std::string> warnings;
+  if (const std::string inside = held_inside(scene, fields); !inside.empty()) warnings.push_back(inside);
   if (report.extrapolated > 0) {
     std::ostringstream text;
     text << "outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "

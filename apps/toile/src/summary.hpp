@@ -25,7 +25,8 @@ struct Figures {
 Figures figures_of(const solve::Fields& fields, const solve::StepReport& report);
 
 /// What limits the trust in the last state: fabric outside its calibrated range, contact off the smooth surface.
-std::vector<std::string> field_warnings(const solve::Fields& fields, const solve::StepReport& report);
+std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::Fields& fields,
+                                        const solve::StepReport& report);
 
 /// The summary that ends a run.
 std::string summary(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report,

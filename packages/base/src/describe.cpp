@@ -28,10 +28,11 @@ void collect(const Spec& spec, const std::string& title, const Texts& notes, std
     collect(*entry, title + " > <" + entry->name() + ">", {entry->text(), number + " with names of your choice."},
             sections);
   }
-  for (const Spec& variant : spec.variants()) {
-    const std::string condition = spec.selector() + " = \"" + variant.name() + "\"";
-    collect(variant, title + ", " + condition, {variant.text(), "In addition, if " + condition + "."}, sections);
-  }
+  for (const auto& [selector, variants] : spec.variants())
+    for (const Spec& variant : variants) {
+      const std::string condition = selector + " = \"" + variant.name() + "\"";
+      collect(variant, title + ", " + condition, {variant.text(), "In addition, if " + condition + "."}, sections);
+    }
 }
 
 std::vector<Section> sections_of(const TitledSpec& part) {

@@ -47,8 +47,9 @@ class Finder {
       found_.push_back({title.empty() ? spec.name() : title, Spec(spec.name(), spec.text()).add(parameter)});
       here = true;
     }
-    for (const Spec& variant : spec.variants())
-      find(variant, title + ", " + spec.selector() + " = \"" + variant.name() + "\"", next);
+    for (const auto& [selector, variants] : spec.variants())
+      for (const Spec& variant : variants)
+        find(variant, title + ", " + selector + " = \"" + variant.name() + "\"", next);
     if (!here && spec.entry()) find(*spec.entry(), below + "<" + spec.entry()->name() + ">", next + 1);
   }
 

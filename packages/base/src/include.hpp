@@ -3,7 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <string>
 
-#include "origins.hpp"
+#include "toile/base/origins.hpp"
 
 namespace toile::base {
 

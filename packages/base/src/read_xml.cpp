@@ -4,11 +4,9 @@
 namespace toile::base {
 
 List read_xml(const std::string& file, const Spec& spec) {
-  const Merged merged = read_merged(file, spec.name());
-  Texts problems;
-  auto data = validated(merged.list, spec, merged.origins, problems);
-  throw_if_any(problems);
-  return List(std::move(data));
+  Merged merged = read_merged(file, spec.name());
+  if (spec.completion()) spec.completion()(merged.list, merged.origins);
+  return validate(merged.list, spec, merged.origins);
 }
 
 std::optional<List> read_part(const std::string& file, const std::string& root, const Spec& part) {

@@ -11,10 +11,10 @@ const Parameter* find(const std::vector<Parameter>& all, const std::string& name
 }
 
 /// What the input, or else the default, says for a selector; empty if neither does.
-std::string selected(const Spec& spec, const Teuchos::ParameterList& list) {
-  if (list.isType<std::string>(spec.selector())) return list.get<std::string>(spec.selector());
-  const auto* fallback = std::get_if<std::string>(&find(spec.parameters(), spec.selector())->fallback);
-  return fallback == nullptr || list.isParameter(spec.selector()) ? "" : *fallback;
+std::string selected(const Spec& spec, const std::string& selector, const Teuchos::ParameterList& list) {
+  if (list.isType<std::string>(selector)) return list.get<std::string>(selector);
+  const auto* fallback = std::get_if<std::string>(&find(spec.parameters(), selector)->fallback);
+  return fallback == nullptr || list.isParameter(selector) ? "" : *fallback;
 }
 
 Texts sorted(Texts names) {
@@ -35,18 +35,19 @@ void Scope::add(const Spec& spec, const Teuchos::ParameterList& list) {
     entry = spec.entry().get();
     least_entries = spec.least_entries();
   }
-  if (spec.variants().empty()) return;
-  const std::string wanted = selected(spec, list);
-  bool found = false;
-  for (const Spec& variant : spec.variants()) {
-    if (variant.name() == wanted) {
-      found = true;
-      add(variant, list);
-    } else {
-      others_.emplace_back(spec.selector(), &variant);
+  for (const auto& [selector, variants] : spec.variants()) {
+    const std::string wanted = selected(spec, selector, list);
+    bool found = false;
+    for (const Spec& variant : variants) {
+      if (variant.name() == wanted) {
+        found = true;
+        add(variant, list);
+      } else {
+        others_.emplace_back(selector, &variant);
+      }
     }
+    complete = complete && found;
   }
-  complete = complete && found;
 }
 
 const Parameter* Scope::parameter(const std::string& name) const {

@@ -80,8 +80,12 @@ Spec& Spec::variant(const std::string& selector, const std::string& text, std::v
   Texts names;
   for (const Spec& one : variants) names.push_back(one.name());
   choice(selector, text, std::move(names), std::move(fallback));
-  selector_ = selector;
-  variants_ = std::move(variants);
+  variants_.emplace_back(selector, std::move(variants));
+  return *this;
+}
+
+Spec& Spec::completed_by(Completion completion) {
+  completion_ = std::move(completion);
   return *this;
 }
 

@@ -227,11 +227,19 @@ void throw_if_any(const Texts& problems) {
   throw InputError(text);
 }
 
-List validate(const ParameterList& list, const Spec& spec, const std::string& file) {
+List validate(const ParameterList& list, const Spec& spec, const Origins& origins) {
   Texts problems;
-  auto data = validated(list, spec, Origins(file), problems);
+  auto data = validated(list, spec, origins, problems);
   throw_if_any(problems);
   return List(std::move(data));
+}
+
+List validate(const ParameterList& list, const Spec& spec, const std::string& file) {
+  Origins origins(file);
+  if (!spec.completion()) return validate(list, spec, origins);
+  ParameterList completed(list);
+  spec.completion()(completed, origins);
+  return validate(completed, spec, origins);
 }
 
 }  // namespace toile::base

@@ -3,7 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <string>
 
-#include "origins.hpp"
+#include "toile/base/origins.hpp"
 #include "toile/base/parameters.hpp"
 
 namespace toile::base {

@@ -48,7 +48,7 @@ Spec file_spec() {
   spec.flag("closed", "true: the surface must have no border; false: a tube with open ends is meant.", true);
   spec.flag("repair orientation",
             "true: a body whose facets look inwards is turned; false: it is refused. Closed pieces inside another one "
-            "(cavities) are left out in any case.",
+            "(cavities) are left out in any case, pieces that intersect are refused.",
             false);
   spec.real(
       "weld", "mm",

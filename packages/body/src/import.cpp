@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "body_file.hpp"
+#include "crossings.hpp"
 #include "import_checks.hpp"
 #include "nested.hpp"
 #include "toile/base/error.hpp"
@@ -65,6 +66,23 @@ TriangleMesh to_triangles(const Mesh& mesh) {
       corners[i++] = static_cast<int>(v.idx());
     }
     result.triangles.push_back(corners);
+  }
+  return result;
+}
+
+/// Pairs of triangles that intersect or touch without being neighbours, by their numbers in to_triangles.
+std::vector<std::array<int, 2>> intersecting(const Mesh& mesh) {
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  pmp::self_intersections(mesh, std::back_inserter(pairs));
+  std::vector<int> number(mesh.num_faces() + mesh.number_of_removed_faces());
+  int count = 0;
+  for (const auto f : mesh.faces()) {
+    number[f.idx()] = count++;
+  }
+  std::vector<std::array<int, 2>> result;
+  result.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) {
+    result.push_back({number[a.idx()], number[b.idx()]});
   }
   return result;
 }
@@ -150,7 +168,11 @@ Import import_body(const std::string& file, const ImportOptions& options) {
   const bool was_consistent = check_consistent(file, soup, options);
   const Mesh mesh = build(file, to_cgal(std::move(soup)), &result.notes);
   result.mesh = to_triangles(mesh);
-  const Nested nested = drop_nested(&result.mesh);
+  const auto pairs = intersecting(mesh);
+  const std::vector<Crossing> crossings = find_crossings(result.mesh, pairs);
+  const Nested nested = find_nested(result.mesh, crossings);
+  check_apart(file, result.mesh, crossings, nested.inside, options.reach);
+  drop(nested, &result.mesh);
   if (nested.cavities + nested.solids > 0) {
     note("pieces inside another left out: " + std::to_string(nested.cavities + nested.solids) +
              " (of them cavities, whose facets look inwards: " + std::to_string(nested.cavities) + ")",
@@ -160,8 +182,6 @@ Import import_body(const std::string& file, const ImportOptions& options) {
   if (!was_consistent || turned > 0) {
     note("orientation repaired", &result.notes);
   }
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  pmp::self_intersections(mesh, std::back_inserter(pairs));
   if (!pairs.empty()) {
     note("warning: " + std::to_string(pairs.size()) + " pairs of facets intersect", &result.notes);
   }

@@ -138,7 +138,6 @@ SurfacePtr make_imported(const List& list, const Region* region, BodyFindings* f
               "normal jumps, so that no iteration converges; \"smooth\" fits a surface without edges to them");
   }
   const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
-  Import import = import_body(file, read_import_options(list));
   Region reach;
   std::string source;
   if (list.has_list("Reach")) {
@@ -148,6 +147,9 @@ SurfacePtr make_imported(const List& list, const Region* region, BodyFindings* f
     reach = *region;
     source = " of the panels";
   }
+  ImportOptions options = read_import_options(list);
+  options.reach = reach;
+  Import import = import_body(file, options);
   split_long_triangles(&import.mesh);
   const std::size_t all = import.mesh.triangles.size();
   TriangleMesh mesh = clip(import.mesh, reach);

@@ -72,6 +72,14 @@ bool holds(const TriangleMesh& mesh, const Piece& outer, const Piece& inner) {
   return sum > least_mean * count;
 }
 
+bool cross(const std::vector<Crossing>& crossings, int a, int b) {
+  const std::pair wanted(std::min(a, b), std::max(a, b));
+  const auto pieces = [](const Crossing& crossing) { return std::pair(crossing.first, crossing.second); };
+  const auto at = std::lower_bound(crossings.begin(), crossings.end(), wanted,
+                                   [&pieces](const Crossing& c, const auto& pair) { return pieces(c) < pair; });
+  return at != crossings.end() && pieces(*at) == wanted;
+}
+
 }  // namespace
 
 std::vector<int> number_pieces(const TriangleMesh& mesh, int* count) {
@@ -105,37 +113,43 @@ std::vector<double> signed_volumes(const TriangleMesh& mesh, const std::vector<i
   return volumes;
 }
 
-Nested drop_nested(TriangleMesh* mesh) {
+Nested find_nested(const TriangleMesh& mesh, const std::vector<Crossing>& crossings) {
   Nested nested;
   int count = 0;
-  const std::vector<int> number = number_pieces(*mesh, &count);
+  const std::vector<int> number = number_pieces(mesh, &count);
+  std::vector<char>& inside = nested.inside;
+  inside.assign(count, 0);
   if (count < 2) {
     return nested;
   }
-  const std::vector<Piece> pieces = collect(*mesh, number, count);
-  const std::vector<double> volumes = signed_volumes(*mesh, number, count);
+  const std::vector<Piece> pieces = collect(mesh, number, count);
+  const std::vector<double> volumes = signed_volumes(mesh, number, count);
   std::vector<int> largest(count);
   std::iota(largest.begin(), largest.end(), 0);
   std::sort(largest.begin(), largest.end(),
             [&volumes](int a, int b) { return std::abs(volumes[a]) > std::abs(volumes[b]); });
-  std::vector<char> inside(count, 0);
   for (int i = 0; i < count; ++i) {
     const int inner = largest[i];
     for (int k = 0; k < std::min(i, most_outer) && inside[inner] == 0; ++k) {
-      if (holds(*mesh, pieces[largest[k]], pieces[inner])) {
+      if (holds(mesh, pieces[largest[k]], pieces[inner]) && !cross(crossings, largest[k], inner)) {
         inside[inner] = 1;
         (volumes[inner] * volumes[largest[k]] < 0.0 ? nested.cavities : nested.solids) += 1;
       }
     }
   }
+  return nested;
+}
+
+void drop(const Nested& nested, TriangleMesh* mesh) {
+  int count = 0;
+  const std::vector<int> number = number_pieces(*mesh, &count);
   std::vector<std::array<int, 3>> kept;
   for (std::size_t t = 0; t < number.size(); ++t) {
-    if (inside[number[t]] == 0) {
+    if (nested.inside[number[t]] == 0) {
       kept.push_back(mesh->triangles[t]);
     }
   }
   mesh->triangles = std::move(kept);
-  return nested;
 }
 
 }  // namespace toile::body

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -184,8 +185,10 @@ std::optional<SitePressure> Recoverer::fitted(int site) {
   const std::vector<int>& patch = patches_.around(site, 0);
   const std::optional<double> mean = fitted_pressure(fabric_, patch, at, Tension::of_facet, 0);
   if (!mean) return std::nullopt;
-  const double linear = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1).value_or(*mean);
-  const double laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
+  const std::optional<double> sloped = fitted_pressure(fabric_, patch, at, Tension::of_facet, 1);
+  // A single row of elements does not tell how the tension changes: nothing bounds the error.
+  if (!sloped) return SitePressure{*mean - load(site), std::numeric_limits<double>::infinity()};
+  const double linear = *sloped, laid = fitted_pressure(fabric_, patch, at, Tension::laid, 1).value_or(*mean);
   double best = linear;
   if (const std::vector<int>* wide = wide_patch(site))
     best = fitted_pressure(fabric_, *wide, at, Tension::of_facet, 2).value_or(linear);
@@ -265,8 +268,9 @@ Recovery Recoverer::run() {
     const bool held = cluster(site).held;
     const bool told = (place(site) != Place::isolated || held) && cluster(site).surface.found;
     const std::optional<SitePressure> found = told ? fitted(site) : std::nullopt;
-    unknown[s] = !found;
+    unknown[s] = !found || std::isinf(found->error);
     out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
+    if (unknown[s]) out_.site[s].error = 0.0;
     if (!found || place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;

@@ -20,10 +20,13 @@ base::Spec material_list(const material::Laws& laws) {
   const base::Spec scene = material::material_spec(laws);
   base::Spec spec("Material", "The fabric, as in a scene's list Materials.");
   for (const base::Parameter& parameter : scene.parameters()) {
-    if (parameter.name == scene.selector())
-      spec.variant(scene.selector(), parameter.text, scene.variants(), parameter.fallback);
-    else
+    const auto& all = scene.variants();
+    const auto selected =
+        std::find_if(all.begin(), all.end(), [&](const auto& v) { return v.first == parameter.name; });
+    if (selected == all.end())
       spec.add(parameter);
+    else
+      spec.variant(parameter.name, parameter.text, selected->second, parameter.fallback);
   }
   return spec;
 }

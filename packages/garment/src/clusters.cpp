@@ -1,47 +1,29 @@
-#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 
 #include "toile/garment/seam.hpp"
 
 namespace toile::garment {
-namespace {
-
-/// Union-find in which the lowest node of a set is its root.
-class DisjointNodes {
- public:
-  explicit DisjointNodes(int nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int root(int node) {
-    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
-  void join(int a, int b) {
-    const int low = std::min(root(a), root(b));
-    const int high = std::max(root(a), root(b));
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
 
 Clusters build_clusters(int nodes, const std::vector<Seam>& seams) {
-  DisjointNodes sets(nodes);
+  const auto size = static_cast<std::size_t>(nodes);
+  std::vector<int> rank(size, 0), parent(size);
+  std::iota(parent.begin(), parent.end(), 0);
+  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
   for (const Seam& seam : seams) {
-    for (const auto& [a, b] : seam.pairs) sets.join(a, b);
+    for (const auto& [a, b] : seam.pairs) sets.union_set(a, b);
   }
   Clusters clusters;
-  clusters.of_node.assign(nodes, -1);
+  clusters.of_node.assign(size, -1);
+  std::vector<int> of_set(size, -1);
   for (int node = 0; node < nodes; ++node) {
-    const int root = sets.root(node);
-    if (root == node) {
-      clusters.of_node[node] = static_cast<int>(clusters.members.size());
+    int& cluster = of_set[static_cast<std::size_t>(sets.find_set(node))];
+    if (cluster < 0) {
+      cluster = static_cast<int>(clusters.members.size());
       clusters.members.emplace_back();
     }
-    clusters.of_node[node] = clusters.of_node[root];
-    clusters.members[clusters.of_node[node]].push_back(node);
+    clusters.of_node[node] = cluster;
+    clusters.members[cluster].push_back(node);
   }
   return clusters;
 }

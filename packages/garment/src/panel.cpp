@@ -2,100 +2,175 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "imperfection.hpp"
+#include "mesher.hpp"
 #include "placement.hpp"
 #include "shape.hpp"
 #include "toile/base/error.hpp"
-#include "toile/mesh/polygon.hpp"
+#include "toile/mesh/zones.hpp"
 
 namespace toile::garment {
 namespace {
 
-constexpr int outline_points_per_side = 200;
-/// More would take the memory of a large machine before the first step.
-constexpr int most_elements_a_side = 10000, most_elements = 1000000;
+base::Spec zones_spec() {
+  base::Spec zone("zone", "Part of the panel between its edges and internal lines.");
+  zone.reals("point", "mm", "Any place x, y of the pattern inside the zone.")
+      .word("material", "Name of an entry of the list Materials.")
+      .real("wale angle", "deg", "Angle from the pattern's x axis to the wale direction.", 90.0);
+  base::Spec spec("Zones", "Parts of the panel that are made of another fabric, or of the same in another direction.");
+  spec.entries(zone);
+  return spec;
+}
 
 base::Spec panel_spec() {
   base::Spec spec("panel", "One flat piece of fabric. Its pattern is the stress-free state.");
   spec.word("material", "Name of an entry of the list Materials.")
       .real("wale angle", "deg", "Angle from the pattern's x axis to the fabric's wale direction.", 90.0)
-      .integer("elements across", "Number of elements from left to right.", base::required,
-               base::Range::between(1, most_elements_a_side))
-      .integer("elements along", "Number of elements from bottom to top.", base::required,
-               base::Range::between(1, most_elements_a_side))
       .choice("elements", "Kind of elements.", {"quadrilateral", "triangle"}, std::string("quadrilateral"))
-      .real("grading across", "",
-            "Exponent g of the node spacing towards the left and right side: nodes at 1/2 (2t)^g from either end; "
-            "1: uniform.",
-            1.0, base::Range::at_least(1.0))
-      .real("grading along", "", "The same towards the bottom and the top.", 1.0, base::Range::at_least(1.0))
       .list(placement_spec())
       .list(imperfection_spec())
+      .list(zones_spec())
       .list(shell_spec());
   std::vector<base::Spec> variants;
   for (const Shape& shape : shapes()) variants.push_back(shape.spec);
   spec.variant("shape", "How the outline is described.", variants);
+  variants.clear();
+  for (const Mesher& mesher : meshers()) variants.push_back(mesher.spec);
+  spec.variant("mesher", "How the panel is divided into elements.", variants, std::string("structured"));
   return spec;
 }
 
-void check_outline(const base::List& entry, const mesh::FourSides& sides) {
-  if (const auto gap = sides.open_corner()) {
-    entry.fail("shape",
-               "the outline of panel \"" + entry.name() + "\" is not closed: " + *gap + " must be the same point");
-  }
-  const std::vector<mesh::Vec2> outline = sides.polygon(outline_points_per_side);
-  if (const auto at = mesh::find_self_intersection(outline)) {
-    std::ostringstream text;
-    text << "panel \"" << entry.name() << "\" overlaps itself near (" << at->x() << ", " << at->y()
-         << ") mm of its pattern; its outline must not cross or touch itself";
-    entry.fail("shape", text.str());
-  }
-  if (mesh::signed_area(outline) <= 0.0) {
-    entry.fail("shape",
-               "the outline of panel \"" + entry.name() +
-                   "\" runs clockwise: \"bottom\" and \"top\" must run from left to right, \"left\" and \"right\" "
-                   "from bottom to top, with the right side of the fabric facing the reader");
-  }
-}
-
-mesh::FourSides read_sides(const base::List& entry) {
+Cut read_cut(const base::List& entry) {
   const std::string& wanted = entry.word("shape");
   const auto& all = shapes();
   const auto shape =
       std::find_if(all.begin(), all.end(), [&wanted](const Shape& s) { return s.spec.name() == wanted; });
-  mesh::FourSides sides = shape->sides(entry);
-  if (shape->drawn) check_outline(entry, sides);
-  return sides;
+  Cut cut = shape->cut(entry);
+  cut.panel.name = entry.name();
+  if (!shape->drawn) return cut;
+  try {
+    pattern::check(cut.along_outline());
+  } catch (const base::InputError& error) {
+    entry.fail("shape", error.what());
+  }
+  return cut;
+}
+
+/// Edges of all panels, and what the seams join, for plan_seeds.
+class Seeding {
+ public:
+  Seeding(const std::vector<base::List>& entries, const std::vector<Cut>& cuts) : cuts_(cuts) {
+    for (std::size_t p = 0; p < entries.size(); ++p) {
+      first_.push_back(edges_.size());
+      for (SeededEdge& edge : mesher_of(entries[p]).edges(entries[p], cuts[p])) {
+        names_.push_back(edge.name);
+        edge.name = cuts[p].panel.name + "." + edge.name;
+        edges_.push_back(std::move(edge));
+      }
+    }
+    first_.push_back(edges_.size());
+  }
+
+  /// A seam whose edges do not exist is left to build_seams, which tells what is valid.
+  void add_seam(const base::List& entry) {
+    const auto first = side(entry.word("first")), second = side(entry.word("second"));
+    if (first && second) seams_.push_back({entry.name(), *first, *second, entry.flag("reversed")});
+  }
+
+  /// [panel] By edge.
+  std::vector<std::map<std::string, Fractions>> seeds() const {
+    const std::vector<Fractions> all = plan_seeds(edges_, free_seams());
+    std::vector<std::map<std::string, Fractions>> by_panel(cuts_.size());
+    for (std::size_t p = 0; p < cuts_.size(); ++p)
+      for (std::size_t e = first_[p]; e < first_[p + 1]; ++e) by_panel[p][names_[e]] = all[e];
+    return by_panel;
+  }
+
+ private:
+  std::optional<SeededSeam::Side> side(const std::string& name) const {
+    for (std::size_t p = 0; p < cuts_.size(); ++p) {
+      const std::string start = cuts_[p].panel.name + ".";
+      if (name.compare(0, start.size(), start) != 0) continue;
+      try {
+        const pattern::EdgePart part = pattern::find_part(cuts_[p].panel, name.substr(start.size()));
+        for (std::size_t e = first_[p]; e < first_[p + 1]; ++e)
+          if (names_[e] == part.edge->name) return SeededSeam::Side{e, part.from, part.to};
+      } catch (const base::InputError&) {
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+  /// Where both meshers leave no choice, build_seams compares what they made.
+  std::vector<SeededSeam> free_seams() const {
+    std::vector<SeededSeam> all;
+    for (const SeededSeam& seam : seams_)
+      if (edges_[seam.first.edge].dictated.empty() || edges_[seam.second.edge].dictated.empty()) all.push_back(seam);
+    return all;
+  }
+
+  const std::vector<Cut>& cuts_;
+  std::vector<SeededEdge> edges_;
+  std::vector<std::string> names_;  ///< [edge] without its panel
+  std::vector<std::size_t> first_;  ///< [panel] its first edge
+  std::vector<SeededSeam> seams_;
+};
+
+std::map<std::string, mesh::ZoneFabric> read_fabrics(const base::List& entry) {
+  const auto fabric = [](const base::List& list) {
+    return mesh::ZoneFabric{list.word("material"), list.real("wale angle") * M_PI / 180.0};
+  };
+  std::map<std::string, mesh::ZoneFabric> all{{"", fabric(entry)}};
+  if (entry.has_list("Zones"))
+    for (const base::List& zone : entry.list("Zones").entries()) all[zone.name()] = fabric(zone);
+  return all;
+}
+
+void add_zones(const base::List& entry, const Cut& cut, mesh::PanelMesh& mesh) {
+  if (!entry.has_list("Zones")) return;
+  std::map<std::string, mesh::Vec2> points;
+  for (const base::List& zone : entry.list("Zones").entries()) {
+    const base::Reals& at = zone.reals("point");
+    if (at.size() != 2) zone.fail("point", "needs two numbers, x and y");
+    points[zone.name()] = {at[0], at[1]};
+  }
+  std::vector<std::vector<int>> lines;
+  for (const pattern::InternalLine& line : cut.panel.lines) lines.push_back(mesh.edges.at(line.name));
+  try {
+    mesh::divide_into_zones(mesh, lines, points);
+  } catch (const base::InputError& error) {
+    entry.fail("Zones", error.what());
+  }
 }
 
 }  // namespace
 
 base::Spec panels_spec() {
-  base::Spec spec("Panels", "The pieces of fabric; the name of each entry is the name of the panel.");
+  base::Spec spec(
+      "Panels",
+      "The pieces of fabric; the name of each entry is the name of the panel. Needed unless the list Pattern makes "
+      "them all.");
   spec.entries(panel_spec(), 1);
   return spec;
 }
 
-Panel build_panel(const base::List& entry) {
-  const mesh::FourSides sides = read_sides(entry);
-  mesh::GridOptions options;
-  options.across = entry.integer("elements across");
-  options.along = entry.integer("elements along");
-  options.triangles = entry.word("elements") == "triangle";
-  options.grading_across = entry.real("grading across");
-  options.grading_along = entry.real("grading along");
-  if (options.along > most_elements / options.across)
-    entry.fail("elements along", "with \"elements across\" = " + std::to_string(options.across) +
-                                     " the panel has more than " + std::to_string(most_elements) + " elements");
-  Panel panel{entry.name(), entry.word("material"), entry.real("wale angle") * M_PI / 180.0, {}, read_shell(entry)};
-  try {
-    panel.grid = mesh::mesh_four_sided(entry.name(), sides, options);
-  } catch (const base::InputError& error) {
-    entry.fail("shape", error.what());
+std::vector<Panel> build_panels(const base::List& panels, const base::List* seams) {
+  const std::vector<base::List> entries = panels.entries();
+  std::vector<Cut> cuts;
+  for (const base::List& entry : entries) cuts.push_back(read_cut(entry));
+  Seeding seeding(entries, cuts);
+  if (seams != nullptr)
+    for (const base::List& seam : seams->entries()) seeding.add_seam(seam);
+  const std::vector<std::map<std::string, Fractions>> seeds = seeding.seeds();
+  std::vector<Panel> all;
+  for (std::size_t p = 0; p < entries.size(); ++p) {
+    Panel panel{entries[p].name(), read_fabrics(entries[p]), mesher_of(entries[p]).mesh(entries[p], cuts[p], seeds[p]),
+                read_shell(entries[p]), cuts[p].panel.placement};
+    add_zones(entries[p], cuts[p], panel.mesh);
+    all.push_back(std::move(panel));
   }
-  return panel;
+  return all;
 }
 
 }  // namespace toile::garment

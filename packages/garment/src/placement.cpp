@@ -12,10 +12,10 @@ namespace {
 using mesh::Vec2;
 using mesh::Vec3;
 
-mesh::Placed lay_flat(const mesh::Grid& grid, const Vec3& origin, const Vec3& x, const Vec3& y) {
+mesh::Placed lay_flat(const mesh::PanelMesh& flat, const Vec3& origin, const Vec3& x, const Vec3& y) {
   mesh::Placed placed;
-  for (const Vec2& node : grid.nodes) placed.position.push_back(origin + node.x() * x + node.y() * y);
-  placed.normal.assign(grid.nodes.size(), x.cross(y).normalized());
+  for (const Vec2& node : flat.nodes) placed.position.push_back(origin + node.x() * x + node.y() * y);
+  placed.normal.assign(flat.nodes.size(), x.cross(y).normalized());
   return placed;
 }
 
@@ -27,11 +27,11 @@ base::Spec flat_spec() {
              base::Reals{0.0, 1.0, 0.0});
 }
 
-mesh::Placed place_flat(const base::List& placement, const mesh::Grid& grid, const body::Surface*) {
+mesh::Placed place_flat(const base::List& placement, const FlatPanel& panel) {
   const Vec3 x = read_direction(placement, "x direction");
   const Vec3 y = read_direction(placement, "y direction");
   if (std::abs(x.dot(y)) > 1e-6) placement.fail("y direction", "must be perpendicular to \"x direction\"");
-  return lay_flat(grid, read_vector(placement, "origin"), x, y);
+  return lay_flat(panel.mesh, read_vector(placement, "origin"), x, y);
 }
 
 }  // namespace
@@ -58,8 +58,11 @@ Vec3 read_perpendicular(const base::List& list, const std::string& name, const V
 }
 
 const std::vector<Placement>& placements() {
-  static const std::vector<Placement> all{
-      {flat_spec(), place_flat, nullptr}, wrap_placement(), free_wrap_placement(), sphere_placement()};
+  static const std::vector<Placement> all{{flat_spec(), place_flat, nullptr},
+                                          wrap_placement(),
+                                          free_wrap_placement(),
+                                          sphere_placement(),
+                                          pattern_placement()};
   return all;
 }
 
@@ -79,10 +82,10 @@ const Placement& placement_of(const base::List& list) {
   return *std::find_if(all.begin(), all.end(), [&type](const Placement& p) { return p.spec.name() == type; });
 }
 
-mesh::Placed place_panel(const base::List& panel, const mesh::Grid& grid, const body::Surface* body) {
-  if (!panel.has_list("Placement")) return lay_flat(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
-  const base::List list = panel.list("Placement");
-  return placement_of(list).place(list, grid, body);
+mesh::Placed place_panel(const base::List& list, const FlatPanel& panel) {
+  if (!list.has_list("Placement")) return lay_flat(panel.mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
+  const base::List placement = list.list("Placement");
+  return placement_of(placement).place(placement, panel);
 }
 
 }  // namespace toile::garment

@@ -27,19 +27,19 @@ struct Edge {
   const std::string& name = entry.word(parameter);
   base::Texts valid;
   for (const auto& [edge, nodes] : mesh.edges) valid.push_back(edge);
-  const std::string nearest = base::nearest_name(name, valid);
-  std::string problem = "there is no edge \"" + name + "\"";
-  if (mesh::find_nodes(mesh, name).nodes.size() == 1) problem = "a seam joins edges, and this is a single node";
-  problem += nearest.empty() ? "." : "; did you mean \"" + nearest + "\"?";
-  problem += " Valid here:";
-  for (const std::string& edge : valid) problem += (&edge == &valid.front() ? " " : ", ") + edge;
-  entry.fail(parameter, problem);
+  const mesh::FoundNodes found = mesh::find_nodes(mesh, name);
+  if (found.nodes.size() == 1)
+    entry.fail(parameter, "a seam joins edges, and this is a single node" + base::hint("", valid));
+  if (name.find('[') != std::string::npos) entry.fail(parameter, found.problem);
+  entry.fail(parameter, "there is no edge \"" + name + "\"" + base::hint(name, valid));
 }
 
 Edge read_edge(const base::List& entry, const std::string& parameter, const mesh::Mesh& mesh, bool backwards) {
-  const auto found = mesh.edges.find(entry.word(parameter));
-  if (found == mesh.edges.end()) fail_edge(entry, parameter, mesh);
-  Edge edge{found->first, found->second, {}};
+  const std::string& name = entry.word(parameter);
+  const bool is_part = name.find('[') != std::string::npos;
+  if (!is_part && mesh.edges.count(name) == 0) fail_edge(entry, parameter, mesh);
+  Edge edge{name, mesh::find_nodes(mesh, name).nodes, {}};
+  if (edge.nodes.size() < 2) fail_edge(entry, parameter, mesh);
   if (backwards) std::reverse(edge.nodes.begin(), edge.nodes.end());
   edge.arc = mesh::arc_lengths(mesh, edge.nodes);
   return edge;
@@ -73,7 +73,7 @@ Seam build_seam(const base::List& entry, const mesh::Mesh& mesh) {
   const Edge first = read_edge(entry, "first", mesh, false);
   const Edge second = read_edge(entry, "second", mesh, entry.flag("reversed"));
   check_match(entry, first, second);
-  Seam seam{entry.name(), first.name, second.name, {}};
+  Seam seam{entry.name(), first.name, second.name, {}, first.nodes, second.nodes};
   for (std::size_t k = 0; k < first.nodes.size(); ++k) {
     // Two edges of one panel may share a corner, which then needs no tie.
     if (first.nodes[k] != second.nodes[k]) seam.pairs.emplace_back(first.nodes[k], second.nodes[k]);
@@ -85,7 +85,11 @@ Seam build_seam(const base::List& entry, const mesh::Mesh& mesh) {
 
 base::Spec seams_spec() {
   base::Spec entry("seam", "Two edges that are sewn together, node by node. A panel may be sewn to itself.");
-  entry.word("first", "Name of an edge: panel.bottom, panel.right, panel.top or panel.left.")
+  entry
+      .word(
+          "first",
+          "Name of an edge (panel.bottom, panel.right, panel.top, panel.left, or that of an outline), or of a part of "
+          "it: panel.left[0.25:end], panel.armhole[notch1:notch2], panel.left[30mm:90mm].")
       .word("second", "Name of the other edge.")
       .flag("reversed",
             "The second edge is sewn from its far end. Edges run from left to right and from bottom to top.", false)

@@ -2,14 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <sstream>
 
 #include "toile/base/error.hpp"
-#include "toile/mesh/quadrature.hpp"
 
 namespace toile::garment {
 namespace {
+
+using Gauss = boost::math::quadrature::gauss<double, 7>;
 
 constexpr int rays = 128;
 constexpr double largest_radius = 2000.0;  // mm; no section of a body is wider
@@ -93,8 +95,8 @@ double Section::radius(double angle) const {
 }
 
 double Section::arc(double from, double to) const {
-  return mesh::gauss_integral([this](double angle) { return std::hypot(local(angle).radius, local(angle).slope); },
-                              from, to);
+  return Gauss::integrate([this](double angle) { return std::hypot(local(angle).radius, local(angle).slope); }, from,
+                          to);
 }
 
 double Section::angle_at(double s) const {

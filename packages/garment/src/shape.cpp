@@ -3,13 +3,22 @@
 #include <cmath>
 #include <string>
 
+#include "toile/mesh/four_sided.hpp"
+
 namespace toile::garment {
 namespace {
 
-using mesh::Curve;
 using mesh::FourSides;
-using mesh::Interpolation;
 using mesh::Vec2;
+using pattern::Curve;
+
+/// Four sides, of which top and left run against the outline.
+Cut cut_of(const FourSides& sides) {
+  Cut cut;
+  cut.panel.outline = {{"bottom", sides.bottom}, {"right", sides.right}, {"top", sides.top}, {"left", sides.left}};
+  cut.backwards = {"top", "left"};
+  return cut;
+}
 
 base::Spec rectangle_spec() {
   return base::Spec("rectangle", "Rectangle with its lower left corner at the origin of the pattern.")
@@ -17,8 +26,8 @@ base::Spec rectangle_spec() {
       .real("height", "mm", "Extent along the pattern's y axis.", base::required, base::Range::positive());
 }
 
-FourSides rectangle_sides(const base::List& panel) {
-  return mesh::rectangle(panel.real("width"), panel.real("height"));
+Cut rectangle_sides(const base::List& panel) {
+  return cut_of(mesh::rectangle(panel.real("width"), panel.real("height")));
 }
 
 base::Spec four_sided_spec() {
@@ -48,11 +57,16 @@ Curve read_side(const base::List& panel, const std::string& side) {
                            "before it");
     }
   }
-  return Curve(points, panel.word("sides") == "smooth" ? Interpolation::smooth : Interpolation::polyline);
+  return panel.word("sides") == "smooth" ? Curve::spline(points) : Curve::polyline(points);
 }
 
-FourSides four_sided_sides(const base::List& panel) {
-  return {read_side(panel, "bottom"), read_side(panel, "right"), read_side(panel, "top"), read_side(panel, "left")};
+Cut four_sided_sides(const base::List& panel) {
+  const FourSides sides{read_side(panel, "bottom"), read_side(panel, "right"), read_side(panel, "top"),
+                        read_side(panel, "left")};
+  if (const auto gap = sides.open_corner())
+    panel.fail("shape",
+               "the outline of panel \"" + panel.name() + "\" is not closed: " + *gap + " must be the same point");
+  return cut_of(sides);
 }
 
 base::Spec profile_spec() {
@@ -62,7 +76,7 @@ base::Spec profile_spec() {
              base::required, base::Range::positive());
 }
 
-FourSides profile_sides(const base::List& panel) {
+Cut profile_sides(const base::List& panel) {
   const base::Reals& levels = panel.reals("levels");
   const base::Reals& widths = panel.reals("widths");
   if (levels.size() < 2) panel.fail("levels", "has fewer than two values; a panel needs a lower and an upper end");
@@ -78,8 +92,8 @@ FourSides profile_sides(const base::List& panel) {
     left.emplace_back(-0.5 * widths[k], levels[k]);
     right.emplace_back(0.5 * widths[k], levels[k]);
   }
-  return {Curve({left.front(), right.front()}, Interpolation::polyline), Curve(right, Interpolation::smooth, levels),
-          Curve({left.back(), right.back()}, Interpolation::polyline), Curve(left, Interpolation::smooth, levels)};
+  return cut_of({Curve::line(left.front(), right.front()), Curve::spline(right, levels),
+                 Curve::line(left.back(), right.back()), Curve::spline(left, levels)});
 }
 
 base::Spec sector_spec() {
@@ -95,14 +109,14 @@ base::Spec sector_spec() {
       .real("to angle", "deg", "Where the right side lies: beyond 'from angle' by at most 360.");
 }
 
-FourSides sector_sides(const base::List& panel) {
+Cut sector_sides(const base::List& panel) {
   const double inner = panel.real("inner radius"), outer = panel.real("outer radius");
   if (inner >= outer) panel.fail("inner radius", "must be smaller than \"outer radius\"");
   const double from = panel.real("from angle"), to = panel.real("to angle");
   if (to <= from || to > from + 360.0) {
     panel.fail("to angle", "must lie beyond \"from angle\" by more than 0 and at most 360 degrees");
   }
-  return mesh::sector(inner, outer, from * M_PI / 180.0, to * M_PI / 180.0);
+  return cut_of(mesh::sector(inner, outer, from * M_PI / 180.0, to * M_PI / 180.0));
 }
 
 base::Spec disc_spec() {
@@ -112,8 +126,8 @@ base::Spec disc_spec() {
       .real("radius", "mm", "Radius of the disc.", base::required, base::Range::positive());
 }
 
-FourSides disc_sides(const base::List& panel) {
-  return mesh::disc(panel.real("radius"));
+Cut disc_sides(const base::List& panel) {
+  return cut_of(mesh::disc(panel.real("radius")));
 }
 
 base::Spec quarter_disc_spec() {
@@ -123,17 +137,21 @@ base::Spec quarter_disc_spec() {
       .real("radius", "mm", "Radius of the disc.", base::required, base::Range::positive());
 }
 
-FourSides quarter_disc_sides(const base::List& panel) {
-  return mesh::quarter_disc(panel.real("radius"));
+Cut quarter_disc_sides(const base::List& panel) {
+  return cut_of(mesh::quarter_disc(panel.real("radius")));
 }
 
 }  // namespace
 
 const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all{
-      {rectangle_spec(), rectangle_sides, false}, {four_sided_spec(), four_sided_sides, true},
-      {profile_spec(), profile_sides, true},      {sector_spec(), sector_sides, false},
-      {disc_spec(), disc_sides, false},           {quarter_disc_spec(), quarter_disc_sides, false}};
+  static const std::vector<Shape> all{{rectangle_spec(), rectangle_sides, false},
+                                      {four_sided_spec(), four_sided_sides, true},
+                                      {profile_spec(), profile_sides, true},
+                                      {sector_spec(), sector_sides, false},
+                                      {disc_spec(), disc_sides, false},
+                                      {quarter_disc_spec(), quarter_disc_sides, false},
+                                      outline_shape(),
+                                      pattern_file_shape()};
   return all;
 }
 

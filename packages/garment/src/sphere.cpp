@@ -26,12 +26,12 @@ base::Spec sphere_spec() {
 }
 
 /// Refuses patterns that reach a pole, where rows would shrink to a point, or overlap themselves round the axis.
-void check_extent(const base::List& list, const mesh::Grid& grid, double radius) {
+void check_extent(const base::List& list, const mesh::PanelMesh& flat, double radius) {
   const auto by_x = [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); };
   const auto by_y = [](const Vec2& a, const Vec2& b) { return std::abs(a.y()) < std::abs(b.y()); };
-  const auto [west, east] = std::minmax_element(grid.nodes.begin(), grid.nodes.end(), by_x);
+  const auto [west, east] = std::minmax_element(flat.nodes.begin(), flat.nodes.end(), by_x);
   const double span = (east->x() - west->x()) / radius * 180.0 / M_PI;
-  const double latitude = std::abs(std::max_element(grid.nodes.begin(), grid.nodes.end(), by_y)->y()) / radius;
+  const double latitude = std::abs(std::max_element(flat.nodes.begin(), flat.nodes.end(), by_y)->y()) / radius;
   std::ostringstream text;
   if (latitude > M_PI / 2.0 - 1e-6) {
     text << "the pattern reaches the latitude " << latitude * 180.0 / M_PI
@@ -42,13 +42,14 @@ void check_extent(const base::List& list, const mesh::Grid& grid, double radius)
   if (!text.str().empty()) list.fail("radius", text.str());
 }
 
-mesh::Placed place_on_sphere(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
+mesh::Placed place_on_sphere(const base::List& list, const FlatPanel& panel) {
+  const mesh::PanelMesh& flat = panel.mesh;
   const double radius = list.real("radius");
-  check_extent(list, grid, radius);
+  check_extent(list, flat, radius);
   const Vec3 pole = read_direction(list, "polar axis");
   const Axis axis{read_vector(list, "centre"), pole, read_perpendicular(list, "zero direction", pole)};
   mesh::Placed placed;
-  for (const Vec2& node : grid.nodes) {
+  for (const Vec2& node : flat.nodes) {
     const double latitude = node.y() / radius;
     placed.normal.push_back(std::cos(latitude) * axis.ray(node.x() / radius) + std::sin(latitude) * pole);
     placed.position.push_back(axis.at(0.0) + radius * placed.normal.back());

@@ -10,6 +10,7 @@
 #include "limb_axis.hpp"
 #include "placement.hpp"
 #include "toile/base/error.hpp"
+#include "wrap_places.hpp"
 
 namespace toile::garment {
 namespace {
@@ -24,6 +25,10 @@ base::Spec add_wrap_parameters(base::Spec spec) {
               "as drawn: heights follow the pattern's y, so a curved hem or neckline stays curved; level: each row of "
               "elements lies at one height, as the curved hem of a skirt's gore or of a part of a ring is to hang.",
               {"as drawn", "level"}, std::string("as drawn"))
+      .choice("width",
+              "What the coverage and the centre line belong to. each height: the pattern's width there; whole: its "
+              "greatest width, for a panel with an armhole, which is to stay open.",
+              {"each height", "whole"}, std::string("each height"))
       .real("angle", "deg",
             "Where the panel's centre line lies: its part of the girth, 360 being once round, counter-clockwise seen "
             "from the top of the axis. Two panels of coverage 1/2 at 0 and 180 meet on any section.",
@@ -32,59 +37,6 @@ base::Spec add_wrap_parameters(base::Spec spec) {
             "Part of the girth that the panel covers at every level, so that the hoop stretch is uniform there; 0: the "
             "width of the pattern itself (unstretched).",
             0.0, base::Range::between(0.0, 1.0));
-}
-
-/// Heights of the panel's bottom and top along the axis.
-std::pair<double, double> read_heights(const base::List& list) {
-  if (list.real("to") <= list.real("from")) list.fail("to", "must be above \"from\"");
-  return {list.real("from"), list.real("to")};
-}
-
-/// Mean pattern coordinate y of each row, which must rise.
-std::vector<double> row_levels(const base::List& list, const mesh::Grid& grid) {
-  std::vector<double> level;
-  for (int j = 0; j <= grid.along; ++j) {
-    double sum = 0.0;
-    for (const int id : grid.row(j)) sum += grid.nodes[id].y();
-    level.push_back(sum / (grid.across + 1));
-    if (j > 0 && level[j] <= level[j - 1]) list.fail("type", "the rows of the pattern must rise along its y axis");
-  }
-  return level;
-}
-
-/// Height of each node, linear in the pattern coordinate y: in that of the node, or in the mean of its row. A row that
-/// is straight has one height, without round-off.
-std::vector<double> node_heights(const base::List& list, const mesh::Grid& grid) {
-  constexpr double straight = 1e-9;  // of the panel's height
-  const auto [from, to] = read_heights(list);
-  const std::vector<double> level = row_levels(list, grid);
-  const bool as_drawn = list.word("rows") == "as drawn";
-  std::vector<double> y;
-  for (int j = 0; j <= grid.along; ++j) {
-    const auto is_off = [&](int id) {
-      return std::abs(grid.nodes[id].y() - level[j]) > straight * (level.back() - level[0]);
-    };
-    const std::vector<int> row = grid.row(j);
-    const bool curved = as_drawn && std::any_of(row.begin(), row.end(), is_off);
-    for (const int id : row) y.push_back(curved ? grid.nodes[id].y() : level[j]);
-  }
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  const double bottom = *low, range = *high - *low;
-  for (double& height : y) height = from + (to - from) * (height - bottom) / range;
-  return y;
-}
-
-/// Width of the pattern from the left end of row j to each of its nodes, mm: along x if the heights follow y, else
-/// along the row.
-std::vector<double> row_widths(const base::List& list, const mesh::Grid& grid, int j) {
-  const bool as_drawn = list.word("rows") == "as drawn";
-  std::vector<double> width{0.0};
-  for (int i = 1; i <= grid.across; ++i) {
-    const mesh::Vec2 step = grid.nodes[grid.node(i, j)] - grid.nodes[grid.node(i - 1, j)];
-    width.push_back(width.back() + (as_drawn ? step.x() : step.norm()));
-  }
-  if (width.back() <= 0.0) list.fail("type", "the rows of the pattern must run from left to right along its x axis");
-  return width;
 }
 
 /// The surface that a panel is wrapped onto, seen from the axis.
@@ -165,53 +117,47 @@ class Wrapping {
   std::map<double, Section> sections_;  ///< [height]
 };
 
-/// Sections of a bent axis must not cross within the body: each column of nodes has to rise along the axis.
-void check_crossing(const base::List& list, const mesh::Grid& grid, const LimbAxis& axis,
-                    const std::vector<double>& heights, const mesh::Placed& placed) {
+/// Sections of a bent axis must not cross within the body: each line of nodes that rises in the pattern has to rise
+/// along the axis.
+void check_crossing(const base::List& list, const WrapPlaces& places, const LimbAxis& axis,
+                    const mesh::Placed& placed) {
   constexpr double least = 0.02;  // of the way along the axis
-  for (int j = 0; j < grid.along && axis.is_bent(); ++j)
-    for (int i = 0; i <= grid.across; ++i) {
-      const int a = grid.node(i, j), b = grid.node(i, j + 1);
-      const double rise = heights[b] - heights[a], middle = 0.5 * (heights[a] + heights[b]);
-      const Axis frame = axis.frame(middle);
-      if (rise <= 0.0 || (placed.position[b] - placed.position[a]).dot(frame.direction) > least * rise) continue;
-      std::ostringstream text;
-      const Vec3& at = placed.position[a];
-      text
-          << "the sections at the heights " << heights[a] << " and " << heights[b] << " mm cross near (" << at[0]
-          << ", " << at[1] << ", " << at[2]
-          << ") mm, at the inner side of a bend: the axis turns there with a radius of "
-          << 1.0 / axis.curvature(middle).norm() << " mm, and the body's surface is " << (at - frame.at(middle)).norm()
-          << " mm from it. Spread the corner over more of the limb (a larger \"smoothing\", or more points on an arc), "
-             "or lay the axis nearer to the inner side";
-      list.fail("axis", text.str());
-    }
+  if (!axis.is_bent()) return;
+  for (const auto& [a, b] : places.rising) {
+    const double rise = places.node[b].height - places.node[a].height;
+    const double middle = 0.5 * (places.node[a].height + places.node[b].height);
+    const Axis frame = axis.frame(middle);
+    if (rise <= 0.0 || (placed.position[b] - placed.position[a]).dot(frame.direction) > least * rise) continue;
+    std::ostringstream text;
+    const Vec3& at = placed.position[a];
+    text << "the sections at the heights " << places.node[a].height << " and " << places.node[b].height
+         << " mm cross near (" << at[0] << ", " << at[1] << ", " << at[2]
+         << ") mm, at the inner side of a bend: the axis turns there with a radius of "
+         << 1.0 / axis.curvature(middle).norm() << " mm, and the body's surface is " << (at - frame.at(middle)).norm()
+         << " mm from it. Spread the corner over more of the limb (a larger \"smoothing\", or more points on an arc), "
+            "or lay the axis nearer to the inner side";
+    list.fail("axis", text.str());
+  }
 }
 
-/// Puts every row of the grid on the target.
-mesh::Placed wrap(const base::List& list, const mesh::Grid& grid, const LimbAxis& axis, const Target& target) {
-  constexpr double sections_per_row = 2.0;
-  const std::vector<double> heights = node_heights(list, grid);
-  const double spacing = (list.real("to") - list.real("from")) / (sections_per_row * grid.along);
-  Wrapping wrapping(list, axis, target, spacing);
+/// Puts every node on the target.
+mesh::Placed wrap(const base::List& list, const mesh::PanelMesh& flat, const LimbAxis& axis, const Target& target) {
+  WrapPlaces places = flat.across > 0 ? places_in_rows(list, flat) : places_by_width(list, flat);
+  if (list.word("width") == "whole") widen(flat, places);
+  Wrapping wrapping(list, axis, target, places.spacing);
   mesh::Placed placed;
-  for (int j = 0; j <= grid.along; ++j) {
-    const std::vector<double> width = row_widths(list, grid, j);
-    const double* height = &heights[grid.node(0, j)];
-    const bool level = std::all_of(height, height + width.size(), [height](double h) { return h == *height; });
-    for (std::size_t i = 0; i < width.size(); ++i) {
-      const double fraction = width[i] / width.back();
-      if (level)
-        wrapping.add_level(height[i], width.back(), fraction, placed);
-      else
-        wrapping.add_between(height[i], width.back(), fraction, placed);
-    }
+  for (const WrapPlace& place : places.node) {
+    if (place.is_level)
+      wrapping.add_level(place.height, place.width, place.fraction, placed);
+    else
+      wrapping.add_between(place.height, place.width, place.fraction, placed);
   }
-  check_crossing(list, grid, axis, heights, placed);
+  check_crossing(list, places, axis, placed);
   return placed;
 }
 
-mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const body::Surface* body) {
+mesh::Placed place_on_body(const base::List& list, const FlatPanel& panel) {
+  const body::Surface* body = panel.body;
   if (body == nullptr) list.fail("type", "\"wrap\" needs a body, and the scene has none; \"free wrap\" does not");
   const double offset = list.real("offset");
   const LimbAxis axis(list);
@@ -235,10 +181,10 @@ mesh::Placed place_on_body(const base::List& list, const mesh::Grid& grid, const
     if (!point.found) list.fail("offset", "the body's surface is out of reach from there, so the panel has no normal");
     return point.normal;
   };
-  return wrap(list, grid, axis, target);
+  return wrap(list, panel.mesh, axis, target);
 }
 
-mesh::Placed place_freely(const base::List& list, const mesh::Grid& grid, const body::Surface*) {
+mesh::Placed place_freely(const base::List& list, const FlatPanel& panel) {
   const base::Reals& around = list.reals("around");
   if (around.size() != 2) list.fail("around", "needs two radii, one at \"from\" and one at \"to\"");
   const LimbAxis axis(list);
@@ -258,14 +204,14 @@ mesh::Placed place_freely(const base::List& list, const mesh::Grid& grid, const 
     const double way = 1.0 - radius(height) * axis.curvature(height).dot(ray);
     return Vec3((way * ray - taper * frame.direction).normalized());
   };
-  return wrap(list, grid, axis, target);
+  return wrap(list, panel.mesh, axis, target);
 }
 
 std::optional<body::Region> reach_of_wrap(const base::List& list) {
   const LimbAxis limb(list);
   if (limb.is_bent()) return std::nullopt;
   const Axis axis = limb.frame(0.0);
-  const auto [from, to] = read_heights(list);
+  const auto [from, to] = wrap_heights(list);
   body::Region region;
   region.direction = axis.direction;
   region.bottom = axis.at(from).dot(axis.direction);

@@ -1,7 +1,3 @@
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
@@ -11,6 +7,7 @@
 #include <sstream>
 
 #include "toile/base/error.hpp"
+#include "toile/base/process.hpp"
 #include "toile/material/plugin_files.hpp"
 #include "toolchain.hpp"
 
@@ -42,34 +39,6 @@ std::string shell_text(const Words& command) {
     line += (line.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
   }
   return line;
-}
-
-/// Runs the command without a shell; returns its exit status (-1: ended by a signal) and what it said on both streams.
-std::pair<int, std::string> run(const Words& command) {
-  std::array<int, 2> ends = {};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw base::Error(base::ExitCode::internal_error, "no pipe to the compiler can be made");
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  std::string said;
-  std::array<char, 4096> buffer = {};
-  for (ssize_t n = 0; failure == 0 && (n = read(ends[0], buffer.data(), buffer.size())) > 0;)
-    said.append(buffer.data(), static_cast<std::size_t>(n));
-  close(ends[0]);
-  if (failure != 0)
-    throw base::InputError("the compiler that Toile was built with, " + command.front() + ", cannot be run");
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
 
 bool starts_with(const std::string& text, const std::string& start) {
@@ -173,8 +142,11 @@ PlugInBuild build_plugin(const std::string& source, const std::string& library, 
     if (!fs::is_directory(folder))
       throw base::InputError("the headers of Toile that a plug-in is compiled with are not there: no folder " + folder);
   const Words command = command_of(source, library);
-  auto [status, said] = run(command);
-  PlugInBuild build{status == 0, shell_text(command), ""};
+  const base::ProcessEnd end = base::run_process(command);
+  if (!end.found)
+    throw base::InputError("the compiler that Toile was built with, " + command.front() + ", cannot be run");
+  const std::string said = end.output + end.errors;
+  PlugInBuild build{end.status == 0, shell_text(command), ""};
   if (verbose || build.good) {
     build.messages = said;
   } else if (said.find("required symbol `toile_material' not defined") != std::string::npos) {

@@ -1,14 +1,16 @@
 #include "toile/mesh/bent_axis.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <sstream>
 
 #include "toile/base/error.hpp"
-#include "toile/mesh/quadrature.hpp"
 
 namespace toile::mesh {
 namespace {
+
+using Gauss = boost::math::quadrature::gauss<double, 7>;
 
 constexpr double samples_per_window = 32.0;
 constexpr double most_samples = 20000.0;
@@ -79,10 +81,10 @@ double BentAxis::arc_between(double from, double to) const {
   // The speed has a kink wherever an end of the window passes a point of the polyline.
   for (const double kink : kinks_) {
     if (kink <= from || kink >= to) continue;
-    length += gauss_integral(speed, from, kink);
+    length += Gauss::integrate(speed, from, kink);
     from = kink;
   }
-  return length + gauss_integral(speed, from, to);
+  return length + Gauss::integrate(speed, from, to);
 }
 
 double BentAxis::parameter(double arc) const {

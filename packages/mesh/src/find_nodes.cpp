@@ -4,10 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
+#include "toile/base/error.hpp"
 #include "toile/base/parameters.hpp"
+#include "toile/pattern/panel.hpp"
 
 namespace toile::mesh {
 namespace {
@@ -27,10 +30,10 @@ const std::vector<int>* edge_of(const Mesh& mesh, const std::string& name) {
   return found == mesh.edges.end() ? nullptr : &found->second;
 }
 
-const Block* panel_of(const Mesh& mesh, const std::string& name) {
-  const auto found =
-      std::find_if(mesh.blocks.begin(), mesh.blocks.end(), [&name](const Block& block) { return block.name == name; });
-  return found == mesh.blocks.end() ? nullptr : &*found;
+const MeshedPanel* panel_of(const Mesh& mesh, const std::string& name) {
+  const auto found = std::find_if(mesh.panels.begin(), mesh.panels.end(),
+                                  [&name](const MeshedPanel& panel) { return panel.name == name; });
+  return found == mesh.panels.end() ? nullptr : &*found;
 }
 
 std::optional<int> corner_of(const Mesh& mesh, const std::string& name) {
@@ -42,10 +45,9 @@ std::optional<int> corner_of(const Mesh& mesh, const std::string& name) {
   return std::nullopt;
 }
 
-std::vector<int> nodes_of(const Block& panel) {
-  std::vector<int> nodes = panel.connectivity;
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+std::vector<int> nodes_of(const MeshedPanel& panel) {
+  std::vector<int> nodes(static_cast<std::size_t>(panel.nodes));
+  std::iota(nodes.begin(), nodes.end(), panel.first);
   return nodes;
 }
 
@@ -55,12 +57,13 @@ FoundNodes failed(const std::string& problem) {
 
 FoundNodes unknown(const Mesh& mesh, const std::string& name) {
   base::Texts valid;
-  for (const Block& block : mesh.blocks) valid.push_back(block.name);
+  for (const MeshedPanel& panel : mesh.panels) valid.push_back(panel.name);
   for (const auto& [edge, nodes] : mesh.edges) valid.push_back(edge);
   std::string all;
   for (const std::string& one : valid) all += (all.empty() ? "" : ", ") + one;
-  for (const Block& block : mesh.blocks) {
-    for (const Corner& corner : corners) valid.push_back(block.name + corner.name);
+  for (const MeshedPanel& panel : mesh.panels) {
+    for (const Corner& corner : corners)
+      if (corner_of(mesh, panel.name + corner.name)) valid.push_back(panel.name + corner.name);
   }
   const std::string near = base::nearest_name(name, valid);
   return failed(
@@ -129,7 +132,9 @@ FoundNodes place_in_panel(const Mesh& mesh, const std::string& name, const std::
   }
   const auto* bottom = edge_of(mesh, panel + ".bottom");
   const auto* left = edge_of(mesh, panel + ".left");
-  if (bottom == nullptr || left == nullptr) return failed("\"" + panel + "\" has no rows and columns of elements");
+  if (panel_of(mesh, panel)->across == 0)
+    return failed("panel \"" + panel + "\" has no rows and columns of elements; a point of its pattern is \"" + panel +
+                  "@(12.5,40)\"");
   // Rows are numbered one after another (see Grid).
   return {{nearest_on(mesh, *left, place[1]) + nearest_on(mesh, *bottom, place[0]) - bottom->front()}, ""};
 }
@@ -143,26 +148,29 @@ FoundNodes find_place(const Mesh& mesh, const std::string& name, const std::stri
 }
 
 /// Length of the longest side of the panel's elements in the pattern, mm.
-double longest_side(const Mesh& mesh, const Block& panel) {
-  const std::size_t per = static_cast<std::size_t>(panel.nodes_per_element);
+double longest_side(const Mesh& mesh, const MeshedPanel& panel) {
   double longest = 0.0;
-  for (std::size_t k = 0; k < panel.connectivity.size(); ++k) {
-    const std::size_t next = k % per == per - 1 ? k + 1 - per : k + 1;
-    const Vec2 side = mesh.pattern[panel.connectivity[next]] - mesh.pattern[panel.connectivity[k]];
-    longest = std::max(longest, side.norm());
+  for (const Block& block : mesh.blocks) {
+    if (&mesh.panel_of(block) != &panel) continue;
+    const std::size_t per = static_cast<std::size_t>(block.nodes_per_element);
+    for (std::size_t k = 0; k < block.connectivity.size(); ++k) {
+      const std::size_t next = k % per == per - 1 ? k + 1 - per : k + 1;
+      const Vec2 side = mesh.pattern[block.connectivity[next]] - mesh.pattern[block.connectivity[k]];
+      longest = std::max(longest, side.norm());
+    }
   }
   return longest;
 }
 
 /// The node nearest to a point of the pattern, "(x y)" in mm.
 FoundNodes find_point(const Mesh& mesh, const std::string& name, const std::string& set, const std::string& place) {
-  const Block* panel = panel_of(mesh, set);
+  const MeshedPanel* panel = panel_of(mesh, set);
   if (panel == nullptr) return unknown(mesh, set);
   const std::vector<double> numbers = read_numbers(place.substr(1, place.size() - 2));
   if (numbers.size() != 2)
     return failed("\"" + name + "\" must have the x and y of a point of the pattern in mm between the brackets");
   const Vec2 wanted(numbers[0], numbers[1]);
-  int nearest = panel->connectivity.front();
+  int nearest = panel->first;
   for (const int node : nodes_of(*panel))
     if ((mesh.pattern[node] - wanted).norm() < (mesh.pattern[nearest] - wanted).norm()) nearest = node;
   const Vec2& found = mesh.pattern[nearest];
@@ -173,12 +181,49 @@ FoundNodes find_point(const Mesh& mesh, const std::string& name, const std::stri
   return failed(text.str());
 }
 
+/// A panel's edges through its nodes, with its notches.
+pattern::Panel edges_of(const Mesh& mesh, const MeshedPanel& panel) {
+  pattern::Panel edges;
+  edges.name = panel.name;
+  for (const auto& [name, nodes] : mesh.edges) {
+    if (name.compare(0, panel.name.size() + 1, panel.name + ".") != 0) continue;
+    std::vector<Vec2> points;
+    for (const int node : nodes) points.push_back(mesh.pattern[node]);
+    edges.outline.push_back({name.substr(panel.name.size() + 1), pattern::Curve::polyline(points)});
+  }
+  for (const Notch& notch : panel.notches) {
+    const std::vector<int>& nodes = mesh.edges.at(panel.name + "." + notch.edge);
+    const std::vector<double> arc = arc_lengths(mesh, nodes);
+    const auto at = std::find(nodes.begin(), nodes.end(), notch.node) - nodes.begin();
+    edges.notches.push_back({notch.name, notch.edge, arc[static_cast<std::size_t>(at)] / arc.back()});
+  }
+  return edges;
+}
+
+/// Nodes of a part of an edge, "front.armhole[notch1:end]".
+FoundNodes find_part(const Mesh& mesh, const std::string& name) {
+  const MeshedPanel* panel = panel_of(mesh, name.substr(0, name.find('.')));
+  if (panel == nullptr) return unknown(mesh, name.substr(0, name.find('[')));
+  try {
+    const pattern::Panel edges = edges_of(mesh, *panel);
+    const pattern::EdgePart part = pattern::find_part(edges, name.substr(panel->name.size() + 1));
+    const std::vector<int>& nodes = mesh.edges.at(panel->name + "." + part.edge->name);
+    const auto first = std::find(nodes.begin(), nodes.end(), nearest_on(mesh, nodes, part.from));
+    const auto last = std::find(first, nodes.end(), nearest_on(mesh, nodes, part.to));
+    if (last - first < 1) return failed("\"" + name + "\" is shorter than the side of an element");
+    return {std::vector<int>(first, last + 1), ""};
+  } catch (const base::InputError& error) {
+    return failed(error.what());
+  }
+}
+
 }  // namespace
 
 FoundNodes find_nodes(const Mesh& mesh, const std::string& name) {
   if (const auto* edge = edge_of(mesh, name)) return {*edge, ""};
-  if (const Block* panel = panel_of(mesh, name)) return {nodes_of(*panel), ""};
+  if (const MeshedPanel* panel = panel_of(mesh, name)) return {nodes_of(*panel), ""};
   if (const auto corner = corner_of(mesh, name)) return {{*corner}, ""};
+  if (!name.empty() && name.back() == ']' && name.find('[') != std::string::npos) return find_part(mesh, name);
   const std::size_t at = name.rfind('@');
   if (at == std::string::npos) return unknown(mesh, name);
   const std::string place = name.substr(at + 1);

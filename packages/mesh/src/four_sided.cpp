@@ -12,7 +12,7 @@ namespace toile::mesh {
 namespace {
 
 Curve line(const Vec2& a, const Vec2& b) {
-  return Curve({a, b}, Interpolation::polyline);
+  return Curve::line(a, b);
 }
 
 /// Arc of a circle round the origin.
@@ -91,21 +91,6 @@ std::optional<std::string> FourSides::open_corner() const {
   return gap;
 }
 
-std::vector<Vec2> FourSides::polygon(int per_side) const {
-  std::vector<Vec2> points;
-  const auto walk = [&points, per_side](const Curve& side, bool backwards) {
-    for (int k = 0; k < per_side; ++k) {
-      const double s = static_cast<double>(k) / per_side;
-      points.push_back(side.at(backwards ? 1.0 - s : s));
-    }
-  };
-  walk(bottom, false);
-  walk(right, false);
-  walk(top, true);
-  walk(left, true);
-  return points;
-}
-
 FourSides rectangle(double width, double height) {
   return {line({0.0, 0.0}, {width, 0.0}), line({width, 0.0}, {width, height}), line({0.0, height}, {width, height}),
           line({0.0, 0.0}, {0.0, height})};
@@ -169,38 +154,16 @@ Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const Gri
   return grid;
 }
 
-void add_panel(Mesh& mesh, const std::string& panel, const std::string& material, const Grid& grid,
-               const Placed& placed, double wale_angle) {
-  assert(placed.position.size() == grid.nodes.size() && placed.normal.size() == grid.nodes.size());
-  const int first = mesh.nodes();
-  mesh.pattern.insert(mesh.pattern.end(), grid.nodes.begin(), grid.nodes.end());
-  mesh.placed.insert(mesh.placed.end(), placed.position.begin(), placed.position.end());
-  mesh.normal.insert(mesh.normal.end(), placed.normal.begin(), placed.normal.end());
-  mesh.axis.insert(mesh.axis.end(), placed.axis.begin(), placed.axis.end());
-  mesh.axis.resize(mesh.placed.size(), Vec3::Zero());
-
-  Block block{panel, material, grid.nodes_per_element, grid.connectivity, {}, {}};
-  const auto [low, high] = std::minmax_element(grid.nodes.begin(), grid.nodes.end(),
-                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  for (int e = 0; e < block.size(); ++e) {
-    double y = 0.0;
-    for (int k = 0; k < block.nodes_per_element; ++k) {
-      y += grid.nodes[grid.connectivity[e * block.nodes_per_element + k]].y() / block.nodes_per_element;
-    }
-    block.position.push_back((y - low->y()) / (high->y() - low->y()));
-  }
-  block.wale_angle.assign(block.size(), wale_angle);
-  for (int& id : block.connectivity) id += first;
-  mesh.blocks.push_back(std::move(block));
-
-  const auto add_edge = [&mesh, &panel, first](const std::string& side, std::vector<int> ids) {
-    for (int& id : ids) id += first;
-    mesh.edges[panel + "." + side] = std::move(ids);
-  };
-  add_edge("bottom", grid.row(0));
-  add_edge("right", grid.column(grid.across));
-  add_edge("top", grid.row(grid.along));
-  add_edge("left", grid.column(0));
+PanelMesh panel_mesh(const Grid& grid) {
+  PanelMesh panel;
+  panel.nodes = grid.nodes;
+  panel.across = grid.across;
+  panel.parts.push_back({"", grid.nodes_per_element, grid.connectivity});
+  panel.edges = {{"bottom", grid.row(0)},
+                 {"right", grid.column(grid.across)},
+                 {"top", grid.row(grid.along)},
+                 {"left", grid.column(0)}};
+  return panel;
 }
 
 }  // namespace toile::mesh

@@ -1,5 +1,6 @@
 #include "cutter.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -127,10 +128,50 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
   error_ = garment.pressure_error.empty()
                ? std::vector<double>(pressure_.size(), std::numeric_limits<double>::quiet_NaN())
                : at_vertices(*garment.mesh, garment.pressure_error);
+  find_neighbours();
   tied_.resize(surface_.mesh.vertices.size());
   std::iota(tied_.begin(), tied_.end(), 0);
   std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
   find_ends(axis_);
+}
+
+// By least squares over the elements that share a node with it, in the pattern's plane.
+void Cutter::find_neighbours() {
+  constexpr double determined = 1e-6;  // smallest over largest eigenvalue: a single row has no slope across
+  const mesh::Mesh& mesh = *garment_.mesh;
+  std::vector<std::vector<std::size_t>> around(static_cast<std::size_t>(mesh.nodes())), corners;
+  for (const mesh::Block& block : mesh.blocks)
+    for (std::size_t i = 0; i < block.connectivity.size(); ++i) {
+      if (i % static_cast<std::size_t>(block.nodes_per_element) == 0) corners.emplace_back();
+      corners.back().push_back(static_cast<std::size_t>(block.connectivity[i]));
+      around[corners.back().back()].push_back(corners.size() - 1);
+    }
+  for (const std::vector<std::size_t>& nodes : corners) {
+    mesh::Vec2 centre = mesh::Vec2::Zero();
+    for (const std::size_t n : nodes) centre += mesh.pattern[n] / static_cast<double>(nodes.size());
+    centre_.push_back(centre);
+    const auto at = [&](std::size_t k) -> const Vec3& { return garment_.position[nodes[k]]; };
+    normal_.push_back((at(2) - at(0)).cross(at(nodes.size() - 1) - at(1)));
+  }
+  for (std::size_t e = 0; e < corners.size(); ++e) {
+    std::set<std::size_t> others;
+    for (const std::size_t n : corners[e]) others.insert(around[n].begin(), around[n].end());
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    for (const std::size_t o : others) squares += (centre_[o] - centre_[e]) * (centre_[o] - centre_[e]).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(squares);
+    neighbours_.emplace_back();
+    if (!(solver.eigenvalues()[0] > determined * solver.eigenvalues()[1])) continue;
+    for (const std::size_t o : others)
+      if (o != e) neighbours_.back().push_back({o, squares.inverse() * (centre_[o] - centre_[e])});
+  }
+  std::vector<Vec3> flat;
+  for (const mesh::Vec2& p : mesh.pattern) flat.emplace_back(p.x(), p.y(), 0.0);
+  pattern_ = at_vertices(mesh, flat);
+}
+
+double Cutter::tension_across(std::size_t element, const Vec3& axis) const {
+  const Vec3 along = axis.cross(normal_[element]).normalized();
+  return along.dot(garment_.tension[element] * along);
 }
 
 AxisPlace Cutter::place(double height) const {
@@ -177,25 +218,32 @@ void Cutter::refine_ends() {
   }
 }
 
-void Cutter::add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const {
+mesh::Vec2 Cutter::add_point(Segment& segment, std::size_t k, int from, int to,
+                             const std::vector<double>& above) const {
   const auto a = static_cast<std::size_t>(from);
   const auto b = static_cast<std::size_t>(to);
   const double t = above[a] / (above[a] - above[b]);
-  const auto between = [&](const auto& values) { return (1.0 - t) * values[a] + t * values[b]; };
   segment.point[k] = (1.0 - t) * surface_.mesh.vertices[a] + t * surface_.mesh.vertices[b];
-  segment.pressure[k] = between(pressure_);
-  segment.error[k] = between(error_);
+  segment.pressure[k] = (1.0 - t) * pressure_[a] + t * pressure_[b];
+  segment.error[k] = (1.0 - t) * error_[a] + t * error_[b];
+  return ((1.0 - t) * pattern_[a] + t * pattern_[b]).head<2>();
 }
 
-Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const {
+Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above,
+                        const Vec3& axis) const {
   const auto& corner = surface_.mesh.triangles[triangle];
   Segment segment{};
   segment.element = surface_.element[triangle];
   segment.block = surface_.block[triangle];
-  add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above);
-  add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
+  const mesh::Vec2 first = add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above);
+  const mesh::Vec2 second = add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
+  const auto e = static_cast<std::size_t>(segment.element);
+  const mesh::Vec2 off = 0.5 * (first + second) - centre_[e];
   const Vec3 tangent = segment.step().normalized();  // zero for a point
-  segment.tension = tangent.dot(garment_.tension[static_cast<std::size_t>(segment.element)] * tangent);
+  segment.tension = tangent.dot(garment_.tension[e] * tangent);
+  const double here = tension_across(e, axis);
+  for (const Neighbour& other : neighbours_[e])
+    segment.tension += off.dot(other.weight) * (tension_across(other.element, axis) - here);
   return segment;
 }
 
@@ -228,7 +276,7 @@ std::vector<Section> Cutter::pieces(double height, const AxisPlace& axis) const 
     const auto tied = [&](std::size_t k) { return tied_[static_cast<std::size_t>(corner[k % 3])]; };
     const int first = pieces.edge(tied(alone), tied(alone + 1));
     pieces.join(first, pieces.edge(tied(alone), tied(alone + 2)));
-    found.emplace_back(first, segment(t, alone, above));
+    found.emplace_back(first, segment(t, alone, above, axis.direction));
   }
 
   std::map<int, Section> sections;

@@ -50,16 +50,33 @@ class Cutter {
   std::vector<double> above(double height, const AxisPlace& axis) const;
   void find_ends(const Axis& axis);
   void refine_ends();
-  Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above) const;
-  void add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
+  /// Its tension is that of the element, which is right in its centre, and the slope to its middle.
+  Segment segment(std::size_t triangle, std::size_t alone, const std::vector<double>& above,
+                  const mesh::Vec3& axis) const;
+  /// An element beside another, and what its difference counts for the slope by the pattern's x and y.
+  struct Neighbour {
+    std::size_t element;
+    mesh::Vec2 weight;  ///< 1/mm
+  };
+
+  /// Fills centre_, normal_, neighbours_ and pattern_.
+  void find_neighbours();
+  /// Of an element, in its plane across the axis, N/mm.
+  double tension_across(std::size_t element, const mesh::Vec3& axis) const;
+  /// Returns its place in the pattern.
+  mesh::Vec2 add_point(Segment& segment, std::size_t k, int from, int to, const std::vector<double>& above) const;
 
   const GarmentFields& garment_;
   Axis axis_;
   GarmentTriangles surface_;
-  std::vector<int> tied_;         ///< [vertex]
-  std::vector<double> pressure_;  ///< [vertex]
-  std::vector<double> error_;     ///< [vertex]
-  std::vector<double> heights_;   ///< [vertex] along the axis
+  std::vector<int> tied_;                           ///< [vertex]
+  std::vector<double> pressure_;                    ///< [vertex]
+  std::vector<double> error_;                       ///< [vertex]
+  std::vector<mesh::Vec2> centre_;                  ///< [element] in the pattern, mm
+  std::vector<mesh::Vec3> normal_;                  ///< [element] of any length
+  std::vector<std::vector<Neighbour>> neighbours_;  ///< [element] none in a single row
+  std::vector<mesh::Vec3> pattern_;                 ///< [vertex] place in the pattern, z = 0
+  std::vector<double> heights_;                     ///< [vertex] along the axis
   double lowest_ = 0.0, highest_ = 0.0;
 };
 

@@ -1,23 +1,15 @@
 #include "toile/result/plot.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
 #include <limits>
 #include <sstream>
-#include <thread>
 
+#include "toile/base/process.hpp"
 #include "toile/result/replace_file.hpp"
-
-extern char** environ;
 
 namespace toile::result {
 namespace {
@@ -141,52 +133,19 @@ std::string script_text(const std::string& name, const Plot& plot) {
   return out.str();
 }
 
-/// Waits for the end of a process, and ends it after `limit` seconds. Its status as of waitpid(); empty: it was ended.
-std::optional<int> wait_for(pid_t process, double limit) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(limit);
-  int status = 0;
-  while (waitpid(process, &status, WNOHANG) == 0) {
-    if (Clock::now() > end) {
-      kill(-process, SIGKILL);
-      waitpid(process, &status, 0);
-      return std::nullopt;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return status;
-}
-
-/// Runs gnuplot in `folder` without a display or messages. Returns what went wrong, empty if nothing did.
+/// Runs gnuplot in `folder`, its messages dropped. Returns what went wrong, empty if nothing did.
 std::string run_gnuplot(const std::string& folder, const std::string& script, double limit) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  // A process group of its own, so that what it started ends with it.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  std::string program = "gnuplot";
-  std::string argument = script;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t process = 0;
-  const int error = posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments, environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    return "gnuplot was not found";
-  }
-  const std::optional<int> status = wait_for(process, limit);
-  if (!status) {
+  base::ProcessOptions options;
+  options.folder = folder;
+  options.most_seconds = limit;
+  const base::ProcessEnd end = base::run_process({"gnuplot", script}, options);
+  if (!end.found) return "gnuplot was not found";
+  if (end.out_of_time) {
     std::ostringstream text;
     text << "gnuplot did not end in " << limit << " s and was ended";
     return text.str();
   }
-  return WIFEXITED(*status) && WEXITSTATUS(*status) == 0 ? "" : "gnuplot failed";
+  return end.status == 0 ? "" : "gnuplot failed";
 }
 
 /// Whether a picture is there to its end: gnuplot does not notice a full disk.

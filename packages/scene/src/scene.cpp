@@ -108,25 +108,30 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
     names.push_back(entry.name());
     materials_[entry.name()] = std::make_unique<material::Material>(entry, laws);
   }
-  for (const base::List& panel : list.list("Panels").entries()) {
-    const std::string& wanted = panel.word("material");
-    if (materials_.count(wanted) == 0) {
-      panel.fail("material", "no entry of the list \"Materials\" has this name" + base::hint(wanted, names));
-    }
+  const auto check_name = [&](const base::List& of) {
+    if (materials_.count(of.word("material")) == 0)
+      of.fail("material", "no entry of the list \"Materials\" has this name" + base::hint(of.word("material"), names));
+  };
+  const std::vector<base::List> panels = list.list("Panels").entries();
+  for (const base::List& panel : panels) {
+    check_name(panel);
+    if (!panel.has_list("Zones")) continue;
+    for (const base::List& zone : panel.list("Zones").entries()) check_name(zone);
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
-    const material::Material& fabric = *materials_.at(garment_.materials[b]);
+    const material::Material& fabric = *materials_.at(garment_.mesh.blocks[b].material);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;
     const std::optional<garment::ShellOptions>& shell = garment_.shells[b];
+    const base::List& panel = panels[static_cast<size_t>(garment_.mesh.blocks[b].panel)];
     if (shell && fabric.graduated() && !shell->shear_modulus)
-      list.list("Panels").entries()[b].list("Shell").fail(
-          "shear modulus", "is not found from a graduated fabric; give it a value for the whole panel");
+      panel.list("Shell").fail("shear modulus",
+                               "is not found from a graduated fabric; give it a value for the whole panel");
     if (shell && entry_of(list.list("Materials"), fabric.name()).word("compression") == "tension field")
-      list.list("Panels").entries()[b].fail(
-          "material", "the fabric is a tension field (\"compression\" of \"" + fabric.name() +
-                          "\"), in which fine wrinkles take up all compression: for membranes. A shell has bending "
-                          "stiffness and wrinkles by itself, as wide as its thickness has it. Give the fabric "
-                          "\"compression\" = \"slack fibres\" or \"full\", or leave out the list \"Shell\"");
+      panel.fail("material",
+                 "the fabric is a tension field (\"compression\" of \"" + fabric.name() +
+                     "\"), in which fine wrinkles take up all compression: for membranes. A shell has bending "
+                     "stiffness and wrinkles by itself, as wide as its thickness has it. Give the fabric "
+                     "\"compression\" = \"slack fibres\" or \"full\", or leave out the list \"Shell\"");
     const char* name = !shell           ? (quads ? "membrane4" : "membrane3")
                        : !quads         ? "shell3"
                        : shell->reduced ? "shell4r"

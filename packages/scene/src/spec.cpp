@@ -2,6 +2,7 @@
 
 #include "toile/body/body.hpp"
 #include "toile/garment/panel.hpp"
+#include "toile/garment/pattern.hpp"
 #include "toile/garment/seam.hpp"
 #include "toile/material/formula.hpp"
 #include "toile/material/material.hpp"
@@ -88,6 +89,7 @@ Spec scene_spec(const material::Laws& laws) {
       .list(material::plugins_spec())
       .list(material::formulas_spec())
       .list(materials_spec(laws), true)
+      .list(garment::pattern_spec())
       .list(garment::panels_spec(), true)
       .list(garment::seams_spec())
       .list(solve::supports_spec())
@@ -96,7 +98,8 @@ Spec scene_spec(const material::Laws& laws) {
       .list(solve::stages_spec(), true)
       .list(solve::solver_spec())
       .list(output_spec())
-      .list(checks_spec());
+      .list(checks_spec())
+      .completed_by(garment::add_pattern);
 }
 
 }  // namespace toile::scene

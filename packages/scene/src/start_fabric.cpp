@@ -43,36 +43,38 @@ Extremes extremes_of(const std::vector<Deformation>& elements, const F& value) {
 /// [panel] how much longer the ring of panels becomes that are sewn side to side when its seams close; 0: no such ring.
 std::vector<double> closing(const Scene& scene, const std::vector<Vec3>& position) {
   const mesh::Mesh& mesh = scene.garment().mesh;
-  std::vector<double> gap(mesh.blocks.size(), 0.0), width(mesh.blocks.size(), 0.0);
-  std::vector<int> sides(mesh.blocks.size(), 0);
-  const auto block_of = [&](const std::string& edge) {
-    const std::string panel = panel_of_edge(edge);
-    return static_cast<size_t>(
-        std::find_if(mesh.blocks.begin(), mesh.blocks.end(), [&](const mesh::Block& b) { return b.name == panel; }) -
-        mesh.blocks.begin());
+  std::vector<double> gap(mesh.panels.size(), 0.0), width(mesh.panels.size(), 0.0);
+  std::vector<int> sides(mesh.panels.size(), 0);
+  const auto panel_index = [&](const std::string& edge) {
+    const std::string name = panel_of_edge(edge);
+    return static_cast<size_t>(std::find_if(mesh.panels.begin(), mesh.panels.end(),
+                                            [&](const mesh::MeshedPanel& p) { return p.name == name; }) -
+                               mesh.panels.begin());
   };
   for (const garment::Seam& seam : scene.garment().seams) {
     if (!is_side(seam.first) || !is_side(seam.second)) continue;
     double mean = 0.0;
     for (const auto& [a, b] : seam.pairs)
       mean += (position[a] - position[b]).norm() / static_cast<double>(seam.pairs.size());
-    for (const size_t block : {block_of(seam.first), block_of(seam.second)}) {
-      gap[block] += 0.5 * mean;
-      ++sides[block];
+    for (const size_t panel : {panel_index(seam.first), panel_index(seam.second)}) {
+      gap[panel] += 0.5 * mean;
+      ++sides[panel];
     }
   }
-  for (size_t b = 0; b < mesh.blocks.size(); ++b)
-    for (const char* hem : {".bottom", ".top"})
-      width[b] += 0.5 * length_of_line(mesh.edges.at(mesh.blocks[b].name + hem), position);
+  for (size_t p = 0; p < mesh.panels.size(); ++p)
+    for (const char* hem : {".bottom", ".top"}) {
+      const auto edge = mesh.edges.find(mesh.panels[p].name + hem);
+      if (edge != mesh.edges.end()) width[p] += 0.5 * length_of_line(edge->second, position);
+    }
   double all_gaps = 0.0, all_widths = 0.0;
-  for (size_t b = 0; b < gap.size(); ++b)
-    if (sides[b] > 1) {
-      all_gaps += gap[b];
-      all_widths += width[b];
+  for (size_t p = 0; p < gap.size(); ++p)
+    if (sides[p] > 1) {
+      all_gaps += gap[p];
+      all_widths += width[p];
     }
   std::vector<double> factor(gap.size(), 0.0);
-  for (size_t b = 0; b < gap.size(); ++b)
-    if (sides[b] > 1 && all_widths > 0.0) factor[b] = 1.0 + all_gaps / all_widths;
+  for (size_t p = 0; p < gap.size(); ++p)
+    if (sides[p] > 1 && all_widths > 0.0) factor[p] = 1.0 + all_gaps / all_widths;
   return factor;
 }
 
@@ -177,8 +179,9 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
       add_depth(mesh.blocks[b], position, gap, panel);
       panel.high_pressure =
           high_pressure(elements, body, values_of(fields, b, "tension_wale"), values_of(fields, b, "tension_course"));
-      if (closed[b] > 0.0 && !panel.placed_is_stress_free)
-        panel.round = extremes(elements, stretches_round(elements, body, closed[b]));
+      const double ring = closed[static_cast<size_t>(mesh.blocks[b].panel)];
+      if (ring > 0.0 && !panel.placed_is_stress_free)
+        panel.round = extremes(elements, stretches_round(elements, body, ring));
     }
     panels.push_back(panel);
   }
@@ -194,8 +197,8 @@ std::vector<LoosePart> loose_parts(const Scene& scene) {
   for (const solve::Support& support : problem.supports)
     for (const int n : support.nodes) held[n] = held[n] || support.held[0] || support.held[1] || support.held[2];
   std::vector<std::string> panel_of(position.size());
-  for (const mesh::Block& block : problem.mesh->blocks)
-    for (const int n : block.connectivity) panel_of[n] = block.name;
+  for (const mesh::MeshedPanel& panel : problem.mesh->panels)
+    std::fill_n(panel_of.begin() + panel.first, panel.nodes, panel.name);
   std::vector<LoosePart> loose;
   for (const std::vector<int>& part : solve::connected_parts(problem)) {
     LoosePart found;

@@ -65,7 +65,7 @@ Texts body_lines(const std::vector<PanelStart>& panels, bool open) {
 
 StartReport look_at_start(const Scene& scene, const base::List& list) {
   const std::vector<PanelStart> panels = look_at_panels(scene);
-  const std::vector<SeamStart> seams = look_at_seams(scene, list);
+  const std::vector<SeamStart> seams = look_at_seams(scene);
   const bool open = !seams.empty() && scene.start().seam < 1.0;
   StartReport report;
   for (const PanelStart& panel : panels) {

@@ -24,14 +24,9 @@ Edge turned(Edge edge) {
 }
 
 /// The edges of each seam, corners that they share included.
-std::vector<Edges> edges_of(const garment::Garment& garment, const base::List& seams) {
+std::vector<Edges> edges_of(const garment::Garment& garment) {
   std::vector<Edges> all;
-  const std::vector<base::List> entries = seams.entries();
-  for (size_t s = 0; s < garment.seams.size(); ++s) {
-    const Edge& second = garment.mesh.edges.at(garment.seams[s].second);
-    all.push_back(
-        {garment.mesh.edges.at(garment.seams[s].first), entries[s].flag("reversed") ? turned(second) : second});
-  }
+  for (const garment::Seam& seam : garment.seams) all.push_back({seam.first_nodes, seam.second_nodes});
   return all;
 }
 
@@ -136,19 +131,20 @@ class Sides {
   std::vector<bool> flipped_;
 };
 
-int block_of(const mesh::Mesh& mesh, const std::string& panel) {
-  const auto found = std::find_if(mesh.blocks.begin(), mesh.blocks.end(),
-                                  [&](const mesh::Block& block) { return block.name == panel; });
-  return static_cast<int>(found - mesh.blocks.begin());
+/// Index of the panel that an edge belongs to.
+int panel_index(const mesh::Mesh& mesh, int node) {
+  const auto after = std::find_if(mesh.panels.begin(), mesh.panels.end(),
+                                  [&](const mesh::MeshedPanel& panel) { return panel.first > node; });
+  return static_cast<int>(after - mesh.panels.begin()) - 1;
 }
 
 }  // namespace
 
-std::vector<SeamStart> look_at_seams(const Scene& scene, const base::List& list) {
+std::vector<SeamStart> look_at_seams(const Scene& scene) {
   const garment::Garment& garment = scene.garment();
   std::vector<SeamStart> all;
   if (garment.seams.empty()) return all;
-  const std::vector<Edges> edges = edges_of(garment, list.list("Seams"));
+  const std::vector<Edges> edges = edges_of(garment);
   const std::vector<Vec3>& placed = garment.mesh.placed;
   for (size_t s = 0; s < edges.size(); ++s) {
     const auto& [first, second] = edges[s];
@@ -197,16 +193,16 @@ std::vector<FacingEdges> unsewn_facing_edges(const Scene& scene) {
 }
 
 // Two panels that show the same side run along their common seam in opposite senses.
-int moebius_seam(const Scene& scene, const base::List& list) {
+int moebius_seam(const Scene& scene) {
   const garment::Garment& garment = scene.garment();
   if (garment.seams.empty()) return -1;
   const Boundaries boundaries(garment.mesh);
-  Sides sides(garment.mesh.blocks.size());
-  const std::vector<Edges> edges = edges_of(garment, list.list("Seams"));
+  Sides sides(garment.mesh.panels.size());
+  const std::vector<Edges> edges = edges_of(garment);
   for (size_t s = 0; s < edges.size(); ++s) {
     const bool flip = boundaries.run(edges[s].first) == boundaries.run(edges[s].second);
-    if (!sides.join(block_of(garment.mesh, panel_of_edge(garment.seams[s].first)),
-                    block_of(garment.mesh, panel_of_edge(garment.seams[s].second)), flip))
+    if (!sides.join(panel_index(garment.mesh, edges[s].first.front()),
+                    panel_index(garment.mesh, edges[s].second.front()), flip))
       return static_cast<int>(s);
   }
   return -1;

@@ -21,8 +21,8 @@ struct SeamStart {
   double nearest_gap = 0.0;     ///< mm, mean gap to it
 };
 
-/// [seam] in the order of Garment::seams. `list`: of the scene, with its list "Seams".
-std::vector<SeamStart> look_at_seams(const Scene& scene, const base::List& list);
+/// [seam] in the order of Garment::seams.
+std::vector<SeamStart> look_at_seams(const Scene& scene);
 
 /// Two edges with as many nodes that face each other and belong to no seam.
 struct FacingEdges {
@@ -33,6 +33,6 @@ struct FacingEdges {
 std::vector<FacingEdges> unsewn_facing_edges(const Scene& scene);
 
 /// Index of a seam that makes a Moebius band of panels, together with the seams before it; -1: none.
-int moebius_seam(const Scene& scene, const base::List& list);
+int moebius_seam(const Scene& scene);
 
 }  // namespace toile::scene

@@ -182,7 +182,7 @@ Texts seam_errors(const Scene& scene, const base::List& list, const std::vector<
     else if (is_against(seams[s]))
       errors.push_back(message_of(entries[s], "reversed", against_text(all[s], seams[s], entries[s].flag("reversed"))));
   }
-  const int moebius = errors.empty() ? moebius_seam(scene, list) : -1;
+  const int moebius = errors.empty() ? moebius_seam(scene) : -1;
   if (moebius >= 0)
     errors.push_back(
         message_of(entries[moebius], "reversed",

@@ -20,9 +20,9 @@ double ArcWatch::turn(const Vector& step) const {
 }
 
 bool ArcWatch::accepts(const Vector& z) {
-  constexpr double sharp = 60.0;   // degrees
-  constexpr double above = 16.0;   // times the smallest step: LOCA ends the path at a step that is cut below it
-  constexpr double short_ = 0.05;  // of the first step: a bend that this does not round off is none
+  constexpr double sharp = 60.0;     // degrees
+  constexpr double above = 16.0;     // times the smallest step: LOCA ends the path at a step that is cut below it
+  constexpr double shortest = 0.05;  // of the first step: a bend that this does not round off is none
   off_ = 0.0;
   if (last_.is_null() || change_.is_null()) return true;
   Vector step(z, Teuchos::Copy);
@@ -30,7 +30,7 @@ bool ArcWatch::accepts(const Vector& z) {
   const double angle = turn(step);
   if (angle <= sharp) return true;
   const double length = stage_.first_step * equilibrium_->distance(step) / first_length_;
-  if (length > std::max(above * stage_.smallest_step, short_ * stage_.first_step)) return false;
+  if (length > std::max(above * stage_.smallest_step, shortest * stage_.first_step)) return false;
   off_ = angle;
   return true;
 }

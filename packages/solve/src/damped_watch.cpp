@@ -58,8 +58,9 @@ std::string DampedWatch::snap_warning() const {
   else
     out << 100.0 * largest_->share << " % of the strain energy";
   if (snaps_ > 1) out << " (the largest of " << snaps_ << " such steps between " << first_ << " and " << end_ << ")";
-  out << ". That is a dynamic jump to another branch of equilibria: which one is met depends on the damping and the "
-         "steps. Try another \"fraction\" and \"first step\"";
+  out << ". That is dynamic: slack fabric that was drawn tight, or a jump to another branch of equilibria, which then "
+         "depends on the damping and the steps. Another \"fraction\" and \"first step\" tell which: a jump may end "
+         "elsewhere";
   return out.str();
 }
 
@@ -69,9 +70,8 @@ std::string DampedWatch::frozen_warning() const {
   out.precision(3);
   out << "in " << snaps_ << " steps between " << drive_name(stage_) << first_ << " and " << end_ << " the damping took "
       << taken_
-      << " N mm: it held the garment back, which did not follow. The states of these steps are no equilibria (the "
-         "final "
-         "one is). Take a smaller \"first step\" and \"largest step\" (now "
+      << " N mm: it held the garment back, which did not follow. The states of these steps are no equilibria (only "
+         "the final one is). Take a smaller \"first step\" and \"largest step\" (now "
       << stage_.first_step << " and " << stage_.largest_step << "), which give it time";
   return out.str();
 }

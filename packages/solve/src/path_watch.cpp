@@ -72,8 +72,7 @@ bool PathWatch::accepts(const Vector& z, double s, int iterations) {
 }
 
 bool PathWatch::accepted(const Vector& z, double s) {
-  const bool jumped = left_;
-  if (jumped) note(z, s);
+  const bool jumped = left_ && note(z, s);
   const bool follows = !last_.is_null() && s > s_ && !jumped;  // a jump points nowhere
   change_ = follows ? difference(z, *last_) : Teuchos::null;
   interval_ = follows ? s - s_ : 0.0;
@@ -84,13 +83,16 @@ bool PathWatch::accepted(const Vector& z, double s) {
   return jumped;
 }
 
-void PathWatch::note(const Vector& z, double s) {
+bool PathWatch::note(const Vector& z, double s) {
+  constexpr double counts = 1e-3;  // mm; less is round-off of a garment that rests
   const State before = equilibrium_->state(*last_, s_), after = equilibrium_->state(z, s);
   const bool sews = stage_.type == StageType::sew;
   const Jump jump{sews ? before.seam : before.load, sews ? after.seam : after.load, furthest_move(before, after)};
+  if (jump.move.distance < counts) return false;
   if (!largest_ || jump.move.distance > largest_->move.distance) largest_ = jump;
   if (++jumps_ == 1) first_ = jump.from;
   end_ = jump.to;
+  return true;
 }
 
 std::string PathWatch::warning() const {

@@ -33,7 +33,8 @@ class PathWatch {
   double bend(const Vector& z, double s) const;
   bool leaps(const Vector& z, double s, double off);
   bool returns(const Vector& z, double s);
-  void note(const Vector& z, double s);
+  /// False: the garment did not move, which is no jump.
+  bool note(const Vector& z, double s);
 
   struct Jump {
     double from, to;  ///< loads (or closings)

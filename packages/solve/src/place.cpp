@@ -32,9 +32,8 @@ std::string place_text(const Vec3& position, const mesh::Vec2& pattern) {
 }
 
 std::string panel_of(const Problem& problem, int node) {
-  for (const mesh::Block& block : problem.mesh->blocks)
-    if (std::find(block.connectivity.begin(), block.connectivity.end(), node) != block.connectivity.end())
-      return block.name;
+  for (const mesh::MeshedPanel& panel : problem.mesh->panels)
+    if (node >= panel.first && node < panel.first + panel.nodes) return panel.name;
   return {};
 }
 

@@ -224,13 +224,16 @@ std::vector<double> nodal_lengths(const mesh::Mesh& mesh, const std::vector<int>
   return lengths;
 }
 
-FollowerPressure read_pressure(const List& entry, const mesh::Mesh& mesh) {
+/// One for each block of the panel.
+std::vector<FollowerPressure> read_pressure(const List& entry, const mesh::Mesh& mesh) {
+  std::vector<FollowerPressure> pressures;
+  for (size_t b = 0; b < mesh.blocks.size(); ++b)
+    if (mesh.panel_of(mesh.blocks[b]).name == entry.word("on"))
+      pressures.push_back({entry.name(), static_cast<int>(b), entry.real("pressure")});
+  if (!pressures.empty()) return pressures;
   base::Texts names;
-  for (const mesh::Block& block : mesh.blocks) names.push_back(block.name);
-  const auto found = std::find(names.begin(), names.end(), entry.word("on"));
-  if (found == names.end())
-    entry.fail("on", "no panel is named \"" + entry.word("on") + "\"" + base::hint(entry.word("on"), names));
-  return {entry.name(), static_cast<int>(found - names.begin()), entry.real("pressure")};
+  for (const mesh::MeshedPanel& panel : mesh.panels) names.push_back(panel.name);
+  entry.fail("on", "no panel is named \"" + entry.word("on") + "\"" + base::hint(entry.word("on"), names));
 }
 
 NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
@@ -255,7 +258,7 @@ Loads read_loads(const List& list, const mesh::Mesh& mesh) {
   Loads loads;
   for (const List& entry : list.entries())
     if (entry.word("type") == "pressure")
-      loads.pressures.push_back(read_pressure(entry, mesh));
+      for (const FollowerPressure& pressure : read_pressure(entry, mesh)) loads.pressures.push_back(pressure);
     else
       loads.nodal.push_back(read_nodal_load(entry, mesh));
   return loads;

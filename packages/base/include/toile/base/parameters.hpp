@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +14,8 @@ class ParameterList;
 }
 
 namespace toile::base {
+
+class Origins;
 
 using Reals = std::vector<double>;
 using Texts = std::vector<std::string>;
@@ -53,6 +56,9 @@ struct Parameter {
   bool may_table = false;
 };
 
+/// Adds to an input what follows from it, before it is validated, and notes where that comes from.
+using Completion = std::function<void(Teuchos::ParameterList& list, Origins& origins)>;
+
 /// Description of one parameter list: its parameters and the lists inside it.
 class Spec {
  public:
@@ -75,9 +81,12 @@ class Spec {
   Spec& list(Spec spec, bool is_required = false);
   /// Any number of lists with free names inside this one, all of the same description; at least `least` of them.
   Spec& entries(Spec spec, int least = 0);
-  /// The text parameter `selector` picks which further parameters and lists are valid (for instance "type").
+  /// The text parameter `selector` picks which further parameters and lists are valid (for instance "type"). A list may
+  /// have several.
   Spec& variant(const std::string& selector, const std::string& text, std::vector<Spec> variants,
                 Value fallback = required);
+  /// Of an outermost list: what completes the input before it is validated.
+  Spec& completed_by(Completion completion);
 
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
@@ -85,8 +94,9 @@ class Spec {
   const std::vector<std::pair<Spec, bool>>& lists() const { return lists_; }
   const std::shared_ptr<Spec>& entry() const { return entry_; }
   int least_entries() const { return least_entries_; }
-  const std::string& selector() const { return selector_; }
-  const std::vector<Spec>& variants() const { return variants_; }
+  /// Each selector with its variants.
+  const std::vector<std::pair<std::string, std::vector<Spec>>>& variants() const { return variants_; }
+  const Completion& completion() const { return completion_; }
 
  private:
   std::string name_;
@@ -95,8 +105,8 @@ class Spec {
   std::vector<std::pair<Spec, bool>> lists_;  ///< with: is it required
   std::shared_ptr<Spec> entry_;
   int least_entries_ = 0;
-  std::string selector_;
-  std::vector<Spec> variants_;
+  std::vector<std::pair<std::string, std::vector<Spec>>> variants_;
+  Completion completion_;
 };
 
 /// A validated list: every name in it is declared, every value has its type and range, defaults are filled in.
@@ -157,6 +167,7 @@ Parameter include_parameter();
 
 /// Same for a list that is already in memory; `file` is only named in messages.
 List validate(const Teuchos::ParameterList& list, const Spec& spec, const std::string& file);
+List validate(const Teuchos::ParameterList& list, const Spec& spec, const Origins& origins);
 
 /// The one of `valid` that is closest to `name` by edit distance; empty if none is near.
 std::string nearest_name(const std::string& name, const Texts& valid);

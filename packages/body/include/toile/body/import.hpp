@@ -20,6 +20,7 @@ struct ImportOptions {
   double weld = 0.0;
   bool closed = true;               ///< a border is an error
   bool repair_orientation = false;  ///< turn inside-out bodies instead of refusing them
+  Region reach;                     ///< connected pieces that both have facets here must not intersect
 };
 
 /// A body as it came out of a file.
@@ -31,7 +32,8 @@ struct Import {
 
 /// Reads OBJ, STL, PLY or OFF (by extension), welds near-copies of vertices, cuts polygons into triangles, leaves out
 /// pieces inside others and checks the result.
-/// Throws InputError: missing or unreadable file, not manifold, open, inside-out, wrong unit, lying.
+/// Throws InputError: missing or unreadable file, not manifold, open, inside-out, pieces that intersect, wrong unit,
+/// lying.
 Import import_body(const std::string& file, const ImportOptions& options);
 
 /// Cuts triangles of CAD programs (more than ten times as long as wide, or more than four times and 100 mm) until they

@@ -15,11 +15,10 @@ namespace toile::garment {
 
 /// Everything that the lists "Panels" and "Seams" describe; the same on every rank.
 struct Garment {
-  mesh::Mesh mesh;  ///< one block a panel, in the order of the file
+  mesh::Mesh mesh;  ///< panels in the order of the file
   std::vector<Seam> seams;
   Clusters clusters;
-  std::vector<std::string> materials;               ///< [panel] name of its entry of "Materials"
-  std::vector<std::optional<ShellOptions>> shells;  ///< [panel] none: a membrane
+  std::vector<std::optional<ShellOptions>> shells;  ///< [block] none: a membrane
 };
 
 /// Meshes, places and sews. `seams` may be null (none); `body` may be null if no panel is wrapped round it.

@@ -15,6 +15,7 @@ struct Seam {
   std::string first;  ///< name of an edge, see mesh::Mesh::edges
   std::string second;
   std::vector<std::pair<int, int>> pairs;  ///< node of the first edge, node of the second, in the order of the first
+  std::vector<int> first_nodes = {}, second_nodes = {};  ///< of the edges in the order of sewing, shared corners too
 };
 
 /// Description of the list "Seams": one entry a seam.

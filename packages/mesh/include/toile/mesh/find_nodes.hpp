@@ -15,6 +15,8 @@ struct FoundNodes {
 
 /// Nodes of
 /// - a panel, "front" (ascending), or an edge of it, "front.left" (in its order);
+/// - a part of an edge, "front.left[0.25:end]", "front.armhole[notch1:notch2]" or "front.left[30mm:90mm]" (in its
+/// order);
 /// - a corner, "front.bottom-left", "front.bottom-right", "front.top-right" or "front.top-left": one node;
 /// - a place on an edge, "front.left@0.5": the one node nearest to this relative arc length in the pattern;
 /// - a place in a panel, "front@0.5,0.25": the one node in the column of elements that starts nearest to the first

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "toile/mesh/curve.hpp"
-#include "toile/mesh/mesh.hpp"
+#include "toile/mesh/panel_mesh.hpp"
+#include "toile/pattern/curve.hpp"
 
 namespace toile::mesh {
+
+using pattern::Curve;
 
 /// Outline of a panel: bottom and top run from left to right, left and right from bottom to top.
 struct FourSides {
@@ -18,8 +20,6 @@ struct FourSides {
 
   /// The two ends that should be one corner and are further apart than 1e-6 of the outline's length, as text.
   std::optional<std::string> open_corner() const;
-  /// Closed polygon along the outline, counter-clockwise, `per_side` points on each side.
-  std::vector<Vec2> polygon(int per_side) const;
 };
 
 /// Rectangle with its lower left corner at the origin, mm.
@@ -70,9 +70,7 @@ double graded(double t, double exponent);
 /// alternating diagonals. Throws InputError if an element is turned over: the message names `panel` and the place.
 Grid mesh_four_sided(const std::string& panel, const FourSides& sides, const GridOptions& options);
 
-/// Adds the grid as a block with nodes, elements and the edges "<panel>.bottom", ".right", ".top", ".left".
-/// `placed`: one point and one normal a node; `wale_angle` in radians from the pattern's x axis.
-void add_panel(Mesh& mesh, const std::string& panel, const std::string& material, const Grid& grid,
-               const Placed& placed, double wale_angle);
+/// The grid as the mesh of a panel, with the edges "bottom", "right", "top" and "left".
+PanelMesh panel_mesh(const Grid& grid);
 
 }  // namespace toile::mesh

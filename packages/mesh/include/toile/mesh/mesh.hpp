@@ -11,9 +11,10 @@ namespace toile::mesh {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
-/// Elements of one panel with the same number of nodes.
+/// Elements of one panel and fabric with the same number of nodes.
 struct Block {
-  std::string name;               ///< panel's name, unique in the mesh
+  std::string name;               ///< unique in the mesh: the panel's, or its and what tells the block from the others
+  int panel = 0;                  ///< index into Mesh::panels
   std::string material;           ///< name of the "Material" entry
   int nodes_per_element = 4;      ///< 4: quadrilateral, 3: triangle; counter-clockwise in the pattern
   std::vector<int> connectivity;  ///< node ids, nodes_per_element each
@@ -23,6 +24,22 @@ struct Block {
   std::vector<double> position;
 
   int size() const { return static_cast<int>(connectivity.size()) / nodes_per_element; }
+};
+
+/// A mark on an edge, by which parts of edges are named.
+struct Notch {
+  std::string name;  ///< unique in its panel
+  std::string edge;  ///< without the panel's name
+  int node = 0;
+};
+
+/// Nodes of one panel, which are consecutive.
+struct MeshedPanel {
+  std::string name;  ///< unique in the mesh
+  int first = 0;     ///< its first node
+  int nodes = 0;
+  int across = 0;  ///< elements a row, if they lie in rows; 0: a free mesh
+  std::vector<Notch> notches;
 };
 
 /// Start in space of the nodes of one panel.
@@ -38,12 +55,15 @@ struct Mesh {
   std::vector<Vec3> placed;   ///< [node] start in space, mm
   std::vector<Vec3> normal;   ///< [node] unit normal there (see Placed), a shell's first director; not shared by panels
   std::vector<Vec3> axis;     ///< [node] unit direction of the axis that its panel is wrapped round; zero: round none
-  std::vector<Block> blocks;
+  std::vector<MeshedPanel> panels;
+  std::vector<Block> blocks;  ///< those of one panel follow each other
   /// Ordered nodes along each named edge of each panel: "front.left", "front.top", ...
   std::map<std::string, std::vector<int>> edges;
 
   int nodes() const { return static_cast<int>(pattern.size()); }
   int elements() const;
+  /// The panel of a block.
+  const MeshedPanel& panel_of(const Block& block) const { return panels[static_cast<std::size_t>(block.panel)]; }
 };
 
 /// Area of an element of a block in the pattern, mm^2.

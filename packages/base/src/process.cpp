@@ -1,0 +1,93 @@
+#include "toile/base/process.hpp"
+
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "toile/base/error.hpp"
+
+namespace toile::base {
+namespace {
+
+/// A file without a name, so that neither side waits for the other to read.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& content = "") : file_(memfd_create("toile", MFD_CLOEXEC)) {
+    for (std::size_t done = 0; file_ >= 0 && done < content.size();) {
+      const ssize_t n = write(file_, content.data() + done, content.size() - done);
+      if (n <= 0) break;
+      done += static_cast<std::size_t>(n);
+    }
+    if (file_ < 0 || lseek(file_, 0, SEEK_CUR) != static_cast<off_t>(content.size()))
+      throw Error(ExitCode::internal_error, "no memory for what another program is to read or write");
+    lseek(file_, 0, SEEK_SET);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(file_); }
+
+  int number() const { return file_; }
+  std::string content() const {
+    std::string all;
+    std::array<char, 1 << 16> buffer{};
+    lseek(file_, 0, SEEK_SET);
+    for (ssize_t n = 0; (n = read(file_, buffer.data(), buffer.size())) > 0;) all.append(buffer.data(), n);
+    return all;
+  }
+
+ private:
+  int file_;
+};
+
+/// Waits for the end of a process, and ends its group after `limit` seconds.
+void wait_for(pid_t process, double limit, ProcessEnd& end) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  int status = 0;
+  while (waitpid(process, &status, WNOHANG) == 0) {
+    if (std::chrono::duration<double>(Clock::now() - start).count() > limit && !end.out_of_time) {
+      end.out_of_time = true;
+      kill(-process, SIGKILL);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  end.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+}  // namespace
+
+ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  const MemoryFile input(options.input), output, errors;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
+  posix_spawn_file_actions_adddup2(&actions, input.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors.number(), STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  pid_t process = 0;
+  ProcessEnd end;
+  end.found = posix_spawnp(&process, words[0], &actions, &attributes, words.data(), environ) == 0;
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (!end.found) return end;
+  wait_for(process, options.most_seconds, end);
+  end.output = output.content();
+  end.errors = errors.content();
+  return end;
+}
+
+}  // namespace toile::base

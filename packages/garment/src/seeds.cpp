@@ -1,0 +1,158 @@
+#include "seeds.hpp"
+
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "toile/base/error.hpp"
+
+namespace toile::garment {
+namespace {
+
+/// Relative arc lengths that are no further apart are one place.
+constexpr double same = 1e-6;
+/// More on one edge come of seams that shift places round and round.
+constexpr std::size_t most_places = 2000;
+
+/// Adds a place unless it is there; true if it was added.
+bool add_place(Fractions& places, double at) {
+  const auto next = std::lower_bound(places.begin(), places.end(), at);
+  if (next != places.end() && *next - at <= same) return false;
+  if (next != places.begin() && at - *(next - 1) <= same) return false;
+  places.insert(next, at);
+  return true;
+}
+
+/// Index of a place that is there.
+std::size_t index_of(const Fractions& places, double at) {
+  return static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), at - same) - places.begin());
+}
+
+class Planner {
+ public:
+  Planner(const std::vector<SeededEdge>& edges, const std::vector<SeededSeam>& seams)
+      : edges_(edges), seams_(seams), places_(edges.size()) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      places_[e] = {0.0, 1.0};
+      for (const double at : edges[e].kept) add_place(places_[e], at);
+      for (const double at : edges[e].dictated) add_place(places_[e], at);
+    }
+  }
+
+  std::vector<Fractions> plan() {
+    for (const SeededSeam& seam : seams_)
+      for (const SeededSeam::Side* side : {&seam.first, &seam.second}) {
+        add_place(places_[side->edge], side->from);
+        add_place(places_[side->edge], side->to);
+      }
+    while (spread_places()) {
+    }
+    check_dictated();
+    return seeds();
+  }
+
+ private:
+  using Side = SeededSeam::Side;
+
+  static double carried(double at, const Side& from, const Side& to, bool reversed) {
+    const double share = (at - from.from) / (from.to - from.from);
+    return to.from + (reversed ? 1.0 - share : share) * (to.to - to.from);
+  }
+
+  /// Carries the places of each seam's sides to the other side; true if there was a new one.
+  bool spread_places() {
+    bool is_new = false;
+    for (const SeededSeam& seam : seams_)
+      for (const bool forth : {true, false}) {
+        const Side& from = forth ? seam.first : seam.second;
+        const Side& to = forth ? seam.second : seam.first;
+        const Fractions places = places_[from.edge];
+        for (const double at : places)
+          if (at > from.from - same && at < from.to + same)
+            is_new = add_place(places_[to.edge], carried(at, from, to, seam.reversed)) || is_new;
+        if (places_[to.edge].size() > most_places)
+          throw base::InputError("the seams round edge \"" + edges_[to.edge].name +
+                                 "\" carry the ends of parts from edge to edge without end: some part of an edge is "
+                                 "sewn to a shifted part of itself");
+      }
+    return is_new;
+  }
+
+  /// Nodes that a mesher dictates cannot have others between them.
+  void check_dictated() const {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e].dictated.empty() || places_[e].size() == edges_[e].dictated.size()) continue;
+      throw base::InputError("edge \"" + edges_[e].name + "\" has " + std::to_string(edges_[e].dictated.size()) +
+                             " nodes in rows of elements, but its seams need nodes at " +
+                             std::to_string(places_[e].size() - edges_[e].dictated.size()) +
+                             " other places, where parts or elements of the other edge end: give both edges the same "
+                             "number of elements, end parts at nodes, or mesh its panel freely");
+    }
+  }
+
+  /// Part k of edge e, among all parts between two places.
+  std::size_t part(std::size_t e, std::size_t k) const { return first_part_[e] + k; }
+
+  /// Parts that are sewn together, as sets.
+  void join_parts(boost::disjoint_sets<int*, std::size_t*>& sets) const {
+    for (const SeededSeam& seam : seams_) {
+      const Fractions& a = places_[seam.first.edge];
+      const std::size_t first = index_of(a, seam.first.from), last = index_of(a, seam.first.to);
+      const Fractions& b = places_[seam.second.edge];
+      for (std::size_t k = first; k < last; ++k) {
+        const double start = seam.reversed ? a[k + 1] : a[k];
+        sets.union_set(part(seam.first.edge, k),
+                       part(seam.second.edge, index_of(b, carried(start, seam.first, seam.second, seam.reversed))));
+      }
+    }
+  }
+
+  std::vector<Fractions> seeds() {
+    std::size_t parts = 0;
+    for (const Fractions& places : places_) {
+      first_part_.push_back(parts);
+      parts += places.size() - 1;
+    }
+    std::vector<int> rank(parts, 0);
+    std::vector<std::size_t> parent(parts);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    boost::disjoint_sets<int*, std::size_t*> sets(rank.data(), parent.data());
+    join_parts(sets);
+
+    std::map<std::size_t, int> sides;  // [set]
+    for (const bool dictated : {false, true})
+      for (std::size_t e = 0; e < edges_.size(); ++e)
+        for (std::size_t k = 0; k + 1 < places_[e].size() && edges_[e].dictated.empty() != dictated; ++k) {
+          int& count = sides[sets.find_set(part(e, k))];
+          const double length = (places_[e][k + 1] - places_[e][k]) * edges_[e].length;
+          const int pairs = static_cast<int>(std::ceil(length / (2.0 * edges_[e].size) - 1e-6));
+          count = dictated ? 1 : std::max({count, 2, 2 * pairs});
+        }
+    std::vector<Fractions> all;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      all.push_back({0.0});
+      for (std::size_t k = 0; k + 1 < places_[e].size(); ++k) {
+        const int count = sides[sets.find_set(part(e, k))];
+        const double from = places_[e][k], to = places_[e][k + 1];
+        for (int i = 1; i <= count; ++i) all.back().push_back(from + (to - from) * i / count);
+      }
+      all.back().back() = 1.0;
+    }
+    return all;
+  }
+
+  const std::vector<SeededEdge>& edges_;
+  const std::vector<SeededSeam>& seams_;
+  std::vector<Fractions> places_;        ///< [edge] where nodes must lie
+  std::vector<std::size_t> first_part_;  ///< [edge]
+};
+
+}  // namespace
+
+std::vector<Fractions> plan_seeds(const std::vector<SeededEdge>& edges, const std::vector<SeededSeam>& seams) {
+  return Planner(edges, seams).plan();
+}
+
+}  // namespace toile::garment

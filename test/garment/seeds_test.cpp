@@ -1,0 +1,106 @@
+#include "seeds.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "toile/base/error.hpp"
+
+namespace toile::garment {
+namespace {
+
+using ::testing::HasSubstr;
+
+SeededEdge edge(const std::string& name, double length, double size) {
+  return {name, length, size, {}, {}};
+}
+
+/// Nodes of a part of an edge, as fractions of the part.
+Fractions within(const Fractions& all, double from, double to) {
+  Fractions part;
+  for (const double at : all)
+    if (at > from - 1e-9 && at < to + 1e-9) part.push_back((at - from) / (to - from));
+  return part;
+}
+
+void expect_equal(const Fractions& a, const Fractions& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-9);
+}
+
+// An edge alone has an even number of equal sides that are no longer than wanted, and nodes where they must lie.
+TEST(Seeds, OneEdge) {
+  SeededEdge kept = edge("front.hem", 100.0, 9.0);
+  expect_equal(plan_seeds({kept}, {})[0], {0.0, 1 / 12.0, 2 / 12.0, 3 / 12.0, 4 / 12.0, 5 / 12.0, 6 / 12.0, 7 / 12.0,
+                                           8 / 12.0, 9 / 12.0, 10 / 12.0, 11 / 12.0, 1.0});
+  kept.kept = {0.3};
+  const Fractions nodes = plan_seeds({kept}, {})[0];
+  EXPECT_EQ(within(nodes, 0.0, 0.3).size(), 5u);
+  EXPECT_EQ(within(nodes, 0.3, 1.0).size(), 9u);
+}
+
+// Edges that are sewn get the same nodes, those of the finer one, also when one runs the other way.
+TEST(Seeds, SewnEdgesMatch) {
+  for (const bool reversed : {false, true}) {
+    SeededEdge fine = edge("a.side", 80.0, 5.0);
+    fine.kept = {0.25};
+    const auto nodes =
+        plan_seeds({fine, edge("b.side", 90.0, 20.0)}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, reversed}});
+    Fractions other = nodes[1];
+    if (reversed)
+      for (std::size_t k = 0; k < other.size(); ++k) other[k] = 1.0 - nodes[1][nodes[1].size() - 1 - k];
+    expect_equal(nodes[0], other);
+  }
+}
+
+// A sleeve cap is sewn to two armholes; a part of it gets the nodes of its partner, and what a third panel asks of that
+// partner arrives too.
+TEST(Seeds, PartsAndChainsMatch) {
+  SeededEdge third = edge("yoke.side", 60.0, 10.0);
+  third.kept = {0.5};
+  const auto nodes = plan_seeds(
+      {edge("sleeve.cap", 120.0, 10.0), edge("front.armhole", 60.0, 4.0), edge("back.armhole", 66.0, 12.0), third},
+      {{"front", {0, 0.0, 0.5}, {1, 0.0, 1.0}, false},
+       {"back", {0, 0.5, 1.0}, {2, 0.0, 1.0}, true},
+       {"yoke", {2, 0.0, 1.0}, {3, 0.0, 1.0}, false}});
+  expect_equal(within(nodes[0], 0.0, 0.5), nodes[1]);
+  Fractions cap = within(nodes[0], 0.5, 1.0);
+  std::reverse(cap.begin(), cap.end());
+  for (double& at : cap) at = 1.0 - at;
+  expect_equal(cap, nodes[2]);
+  expect_equal(nodes[2], nodes[3]);
+  EXPECT_EQ(within(nodes[1], 0.0, 1.0).size(), 17u);
+}
+
+// Nodes that rows of elements dictate are taken over, graded as they are.
+TEST(Seeds, DictatedNodesAreKept) {
+  SeededEdge rows = edge("front.left", 100.0, 25.0);
+  rows.dictated = {0.0, 0.1, 0.3, 0.6, 1.0};
+  const auto nodes = plan_seeds({rows, edge("back.side", 100.0, 3.0)}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false}});
+  expect_equal(nodes[1], rows.dictated);
+  rows.dictated = {0.0, 0.5, 1.0};
+  SeededEdge other = edge("back.left", 100.0, 3.0);
+  other.kept = {0.25};
+  try {
+    plan_seeds({rows, other}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false}});
+    FAIL() << "no error";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("edge \"front.left\" has 3 nodes in rows of elements"));
+  }
+}
+
+// Seams that carry the ends of parts round and round are refused.
+TEST(Seeds, EndlessSeamsAreRefused) {
+  try {
+    const double turn = 0.38196601125;
+    plan_seeds({edge("a.ring", 100.0, 5.0), edge("b.ring", 100.0, 5.0)},
+               {{"straight", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false},
+                {"turned", {0, 0.0, turn}, {1, 1.0 - turn, 1.0}, false},
+                {"rest", {0, turn, 1.0}, {1, 0.0, 1.0 - turn}, false}});
+    FAIL() << "no error";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("carry the ends of parts from edge to edge without end"));
+  }
+}
+
+}  // namespace
+}  // namespace toile::garment
