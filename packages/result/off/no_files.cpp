@@ -20,6 +20,9 @@ void ExodusWriter::write_step(double, const StepData&) {
 }
 
 History::History(const std::string& path, const std::vector<FieldName>&) : path_(path) {}
+void History::restore(const std::vector<std::vector<double>>& rows) {
+  rows_ = static_cast<int>(rows.size());
+}
 void History::append(const std::vector<double>&) {
   ++rows_;
 }

@@ -63,8 +63,10 @@ Fingerprint fingerprint(const base::List& list, const base::Spec& spec, const Sc
   found.figures["placed garment"] = figures_of(mesh.placed);
   found.figures["seams"] = {static_cast<double>(scene.problem().clusters.size())};
   for (const mesh::Block& block : mesh.blocks) found.figures["elements"].push_back(block.size());
-  if (scene.surface() != nullptr)
-    found.figures["body"] = figures_of(scene.surface()->triangles(scene.output().body_size).vertices);
+  if (scene.surface() == nullptr) return found;
+  constexpr size_t probes = 100;
+  for (size_t i = 0; i < mesh.placed.size(); i += mesh.placed.size() / probes + 1)
+    found.figures["body"].push_back(scene.surface()->closest(mesh.placed[i]).gap);
   return found;
 }
 

@@ -88,6 +88,7 @@ void Path::go_on(const Vector& from, double s, const Attempt& end) {
 
 bool Path::shorten() {
   constexpr double cut = 0.5;
+  memory_.aimed = false;
   if (memory_.is_smallest) return false;
   memory_.step *= cut;
   clip();

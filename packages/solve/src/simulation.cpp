@@ -51,6 +51,9 @@ const State& Simulation::state() const {
 const SolveStatistics& Simulation::statistics() const {
   return data_->statistics;
 }
+const std::string& Simulation::stopped() const {
+  return data_->watch.stopped();
+}
 const std::vector<std::string>& Simulation::notes() const {
   return data_->notes.all();
 }

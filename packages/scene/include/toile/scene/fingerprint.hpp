@@ -12,7 +12,7 @@ namespace toile::scene {
 struct Fingerprint {
   std::map<std::string, std::string> values;           ///< [path] of the input, defaults included
   std::vector<std::string> stages;                     ///< their names, in their order
-  std::map<std::string, std::vector<double>> figures;  ///< of what was built: sizes and sums over garment and body
+  std::map<std::string, std::vector<double>> figures;  ///< of what was built: sizes, sums, distances of some nodes to the body
 };
 
 /// `list` was validated against `spec`, and the scene built from it. The same on every rank.

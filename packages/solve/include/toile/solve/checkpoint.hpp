@@ -33,7 +33,7 @@ struct PathMemory {
   double step = 0.0;                     ///< length of the next one: of s, or of the arc
   double smallest = 0.0, largest = 0.0;  ///< in the same measure
   bool is_smallest = false;              ///< the next one is the last that is tried
-  bool aimed = false;                    ///< the last one was aimed at the end
+  bool aimed = false;                    ///< the last one, which counts, was aimed at the end
   double weight = 1.0;                   ///< of s in the arc length
   int attempts = 0;                      ///< steps tried
   Unknowns change;                       ///< of the last step

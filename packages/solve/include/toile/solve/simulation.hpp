@@ -118,6 +118,8 @@ class Simulation {
 
   const State& state() const;
   const SolveStatistics& statistics() const;
+  /// Why a stage had to end before its time (a wish, a limit of time or iterations); empty: none had to.
+  const std::string& stopped() const;
   /// What is good to know: null motions that were held.
   const std::vector<std::string>& notes() const;
   /// What limits the trust in the result: a path that was not quasi-static, an end that is not stable.
