@@ -130,6 +130,18 @@ BodyFindings look_at(const List& list, const Import& import, const TriangleMesh&
   return findings;
 }
 
+constexpr double deep_chord = 0.2;  // mm inside the body
+
+std::string turned_strips_text(double chord) {
+  std::ostringstream text;
+  text.precision(2);
+  text << "the body is made of strips that turn along their length: their edges are chords, which lie up to " << chord
+       << " mm inside the round body, and so does the surface that the fabric meets. Pressures change round the body "
+          "and "
+          "are too low; export it with a tolerance of 0.1 mm or with more vertices along the strips";
+  return text.str();
+}
+
 SurfacePtr make_imported(const List& list, const Region* region, BodyFindings* findings) {
   namespace fs = std::filesystem;
   if (list.word("surface") == "facets") {
@@ -150,13 +162,16 @@ SurfacePtr make_imported(const List& list, const Region* region, BodyFindings* f
   ImportOptions options = read_import_options(list);
   options.reach = reach;
   Import import = import_body(file, options);
-  split_long_triangles(&import.mesh);
+  const double chord = split_long_triangles(&import.mesh);
   const std::size_t all = import.mesh.triangles.size();
   TriangleMesh mesh = clip(import.mesh, reach);
   if (mesh.triangles.empty()) {
     list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
   }
-  const BodyFindings found = look_at(list, import, mesh);
+  BodyFindings found = look_at(list, import, mesh);
+  if (chord > deep_chord) {
+    found.warnings.push_back(turned_strips_text(chord));
+  }
   if (findings != nullptr) {
     *findings = found;
   }
