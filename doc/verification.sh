@@ -24,7 +24,7 @@ section() {  # title, text, test and its arguments
     "The same with pressures that range over 4 : 1; independence of the contact stiffness; the body as unstructured triangles of 5 mm, the garment not aligned with them." \
     contact_ellipse_test
   section "Pressure on any mesh" \
-    "Seven kinds of mesh: aligned with the body, a square lattice turned by 30 degrees, nodes moved by 25 %, free triangles, free quadrilaterals, and both with sizes 1 : 3; on cylinder, ellipse and ellipsoid, three fabrics. Root mean square over all nodes, rate from 8 mm, largest error away from the ends (in brackets that of nodal force over area), sum of pressure times area, and the effectivity of pressure_error: its root mean square over that of the error, and the part of the nodes that twice of it covers." \
+    "Eight kinds of mesh: aligned with the body, a square lattice turned by 30 degrees, nodes moved by 25 %, free triangles, free quadrilaterals, both beside each other (mixed), and each with sizes 1 : 3; on cylinder, ellipse and ellipsoid, three fabrics. Root mean square over all nodes, rate from 8 mm, largest error away from the ends (in brackets that of nodal force over area), sum of pressure times area, and the effectivity of pressure_error: its root mean square over that of the error, and the part of the nodes that twice of it covers." \
     contact_meshes_test
   section "Pressure where more happens" \
     "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \
@@ -38,10 +38,12 @@ section() {  # title, text, test and its arguments
     contact_leg_test
   section "Cook's membrane" "Uniform meshes converge with the rate of the corner's singularity (1.248), graded ones with second order." plane_cook_test
   section "Clamped strips" "Uniform meshes and meshes graded to the corners, wale at 0, 45 and 90 degrees to the pull." plane_strip_test
+  section "Plane stress on free meshes" "Cook's membrane (published deflection) and a clamped strip on free triangles, free quadrilaterals, and both in one panel. Elements of one size have the rate of the corner's singularity (1.248) at least, those that shrink at the corners with the power 1.75 of the size have second order." plane_free_test
   section "Tension field in shear" "A wide clamped strip of neo-Hookean fabric in shear, relaxed energy against the semi-analytic tension field (test/data/plane_stress/tension_field_shear_nh.csv)." \
     ../material/material_tests --gtest_filter=TensionField.sheared_strip
   section "Annulus in torsion" "Tension field of a sheet whose hub is turned in its plane (input/benchmarks/annulus-torsion.xml): torque of the relaxed and of the unwrinkled sheet against an axisymmetric solution, rates, how far the wrinkles reach, straight lines of tension, and the closed form of Stein and Hedgepeth (1961) at small angles." annulus_torsion_test
   section "Shells in large rotations" "Scenes of input/benchmarks against Sze, Liu and Lo (2004): S4R elements on the same meshes." shell_benchmark_test
+  section "Shells on free meshes" "Cantilever 3.1 against the inextensible elastica, thin and very thin, and hemisphere 3.4 against Sze, Liu and Lo (2004), on free triangles, free quadrilaterals (reduced integration), and both in one panel." shell_free_test
   section "Sleeve of shells on its inner face" "Pressure away from ends and seam against that of a plane-stress shell, 0.72967 kPa; the tube of finite thickness has 0.73131 kPa: the model's error is -0.22 %." shell_sleeve_test
   section "Inflated membrane" "Height of the pole of a clamped circular membrane under follower pressure." inflation_test
   section "Wrinkles of a sheared foil" "Kapton foil, stretched, then sheared (input/benchmarks/kapton-shear.xml): half-wave across the crests and amplitude at mid height, away from the free sides, against the formulae of Wong and Pellegrino (2006) in brackets; accepted are 10 % (8 % from a shear of 2 mm on) and 10 %. The last lines: another imperfection." kapton_shear_test

@@ -103,6 +103,26 @@ Arrays flat_shells(const PlaneMesh& mesh, const Element& element, const Law& law
   return arrays;
 }
 
+Eigen::VectorXd constant_curvature(const PlaneMesh& mesh, double k11, double k22, double k12) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(5 * mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    const double X = mesh.nodes[i][0], Y = mesh.nodes[i][1];
+    u[5 * i + 2] = 0.5 * (k11 * X * X + k22 * Y * Y) + k12 * X * Y;
+    u.segment<2>(5 * i + 3) << -k11 * X - k12 * Y, -k22 * Y - k12 * X;
+  }
+  return u;
+}
+
+Eigen::VectorXd constant_shear(const PlaneMesh& mesh, const Eigen::Vector2d& gamma) {
+  const Eigen::Vector2d slope(0.5, 0.1);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(5 * mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    u[5 * i + 2] = slope.dot(mesh.nodes[i]);
+    u.segment<2>(5 * i + 3) = gamma - slope;
+  }
+  return u;
+}
+
 Eigen::VectorXd scatter_shells(const PlaneMesh& mesh, const Eigen::VectorXd& element_vectors) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(5 * mesh.nodes.size());
   for (std::size_t k = 0; k < mesh.connectivity.size(); ++k) {

@@ -22,6 +22,12 @@ Arrays at_rest(const Arrays& shells, const Eigen::Matrix3d& Q, const Eigen::Vect
 /// Shells in random plane pattern positions on a mesh, flat and at rest in the plane z = 0, frames along the axes.
 Arrays flat_shells(const PlaneMesh& mesh, const Element& element, const Law& law, double wale_angle);
 
+/// Displacements (5 a node) of flat shells: w = (k11 X^2 + k22 Y^2)/2 + k12 X Y with the directors normal to it.
+Eigen::VectorXd constant_curvature(const PlaneMesh& mesh, double k11, double k22, double k12);
+
+/// Displacements (5 a node) of flat shells: constant transverse shear, with a tilt of the plane that costs nothing.
+Eigen::VectorXd constant_shear(const PlaneMesh& mesh, const Eigen::Vector2d& gamma);
+
 /// Sum of the element vectors (5 a node).
 Eigen::VectorXd scatter_shells(const PlaneMesh& mesh, const Eigen::VectorXd& element_vectors);
 

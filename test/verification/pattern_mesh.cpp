@@ -40,8 +40,10 @@ struct Periodic {
   void triangulate();
   /// Moves inner points towards the mean of their neighbours.
   void smooth(int passes);
-  /// Joins pairs of triangles, best ones first, and halves the sides of all elements: quadrilaterals only.
-  void make_quadrilaterals();
+  /// Joins pairs of triangles, best ones first, whose angles deviate from 90 degrees by at most that (radians).
+  void join(double deviation);
+  /// Halves the sides of all elements: quadrilaterals only.
+  void halve();
   PatternMesh mesh() const;
 
  private:
@@ -97,7 +99,7 @@ double Periodic::ugliness(const Element& e) const {
   return worst;
 }
 
-void Periodic::make_quadrilaterals() {
+void Periodic::join(double deviation) {
   struct Side {
     size_t element, corner;
   };
@@ -126,12 +128,17 @@ void Periodic::make_quadrilaterals() {
   std::vector<bool> taken(elements.size(), false);
   std::vector<Element> coarse;
   for (const Pair& pair : pairs) {
-    if (taken[pair.first] || taken[pair.second] || pair.ugliness > 1.0) continue;
+    if (taken[pair.first] || taken[pair.second] || pair.ugliness > deviation) continue;
     taken[pair.first] = taken[pair.second] = true;
     coarse.push_back(pair.joined);
   }
   for (size_t e = 0; e < elements.size(); ++e)
     if (!taken[e]) coarse.push_back(elements[e]);
+  elements = coarse;
+}
+
+void Periodic::halve() {
+  const std::vector<Element> coarse = std::move(elements);
   elements.clear();
   std::map<std::pair<int, int>, int> middle;
   const auto middle_of = [&](Corner a, Corner b) {
@@ -362,8 +369,16 @@ Periodic free_quadrilaterals(double width, double height, double size, bool grad
   scatter.fill_at_random();
   Periodic p = scatter.points();
   p.triangulate();
-  p.make_quadrilaterals();
+  p.join(1.0);
+  p.halve();
   p.smooth(2);
+  return p;
+}
+
+/// Free triangles, of which those are joined that make good quadrilaterals.
+Periodic free_mixture(double width, double height, double size) {
+  Periodic p = free_triangles(width, height, size, false);
+  p.join(0.7);
   return p;
 }
 
@@ -371,7 +386,8 @@ Periodic free_quadrilaterals(double width, double height, double size, bool grad
 
 const std::vector<std::string>& mesh_kinds() {
   static const std::vector<std::string> kinds = {
-      "aligned", "turned", "shifted", "triangles", "quadrilaterals", "graded triangles", "graded quadrilaterals"};
+      "aligned",        "turned", "shifted",          "triangles",
+      "quadrilaterals", "mixed",  "graded triangles", "graded quadrilaterals"};
   return kinds;
 }
 
@@ -379,6 +395,7 @@ PatternMesh pattern_mesh(const std::string& kind, double width, double height, d
   if (kind == "aligned") return grid(width, height, size, 0.0).mesh();
   if (kind == "shifted") return grid(width, height, size, 0.25).mesh();
   if (kind == "turned") return turned(width, height, size).mesh();
+  if (kind == "mixed") return free_mixture(width, height, size).mesh();
   const bool graded = kind.rfind("graded", 0) == 0;
   const auto make = kind.find("triangles") != std::string::npos ? free_triangles : free_quadrilaterals;
   return make(width, height, size, graded).mesh();

@@ -16,8 +16,9 @@ struct PatternMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// The seven kinds: "aligned", "turned" (a square lattice at 30 degrees), "shifted" (nodes by up to 25 % of their
-/// distance), "triangles", "quadrilaterals" (both free), "graded triangles", "graded quadrilaterals" (1 : 3, abrupt).
+/// The eight kinds: "aligned", "turned" (a square lattice at 30 degrees), "shifted" (nodes by up to 25 % of their
+/// distance), "triangles", "quadrilaterals", "mixed" (free triangles and quadrilaterals beside each other), "graded
+/// triangles", "graded quadrilaterals" (1 : 3, abrupt).
 const std::vector<std::string>& mesh_kinds();
 
 /// Height in y, from 0; `size`: mean length of an element's side, mm; of graded ones size / sqrt(3) and sqrt(3)

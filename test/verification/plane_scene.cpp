@@ -113,11 +113,14 @@ solve::Vec3 PlaneRun::reaction(const std::string& support, size_t step) const {
   throw std::runtime_error("no support " + support);
 }
 
-PlaneRun run(const base::List& list) {
+namespace {
+
+PlaneRun run_problem(const base::List& list, bool mixed) {
   PlaneRun run;
   base::Timer timer;
   run.scene = std::make_unique<scene::Scene>(list, Tpetra::getDefaultComm()->getSize(), timer);
-  solve::Simulation simulation(run.scene->problem(), run.scene->solver());
+  if (mixed) run.mixed = std::make_unique<MixedProblem>(run.scene->problem());
+  solve::Simulation simulation(mixed ? run.mixed->problem : run.scene->problem(), run.scene->solver());
   simulation.observe([&run](const solve::StepReport& report, const solve::State& state) {
     run.reports.push_back(report);
     run.states.push_back(state);
@@ -127,8 +130,29 @@ PlaneRun run(const base::List& list) {
   return run;
 }
 
+}  // namespace
+
+PlaneRun run(const base::List& list) {
+  return run_problem(list, false);
+}
+
 PlaneRun run(const ParameterList& list) {
   return run(base::validate(list, scene::scene_spec(), "plane.xml"));
+}
+
+PlaneRun run_freely(ParameterList list, const FreeMeshing& meshing) {
+  ParameterList& panel = list.sublist("Panels").sublist("sheet");
+  for (const char* name : {"elements across", "elements along", "grading across", "grading along"}) panel.remove(name);
+  panel.set("mesher", "free");
+  panel.set("element size", meshing.size);
+  panel.set("elements", meshing.kind == "triangles" ? "triangle" : "quadrilateral");
+  for (size_t k = 0; k < meshing.corners.size(); k += 2) {
+    ParameterList& finer = panel.sublist("Sizes").sublist("corner " + std::to_string(k / 2));
+    finer.set("at point", reals({meshing.corners[k], meshing.corners[k + 1]}));
+    finer.set("size", meshing.corner_size);
+    finer.set("distance", 16.0);
+  }
+  return run_problem(base::validate(list, scene::scene_spec(), "plane.xml"), meshing.kind == "mixed");
 }
 
 }  // namespace toile::test

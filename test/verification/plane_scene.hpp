@@ -8,6 +8,7 @@
 
 #include "toile/scene/scene.hpp"
 #include "toile/solve/simulation.hpp"
+#include "verification/mixed_problem.hpp"
 
 namespace toile::test {
 
@@ -39,6 +40,7 @@ Teuchos::ParameterList strip_list(const PlaneCase& row, const PlaneMesh& mesh);
 /// A scene and what it reported at each accepted step, on all ranks of MPI's world.
 struct PlaneRun {
   std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<MixedProblem> mixed;  ///< what was computed instead of the scene's own problem, or null
   std::vector<solve::StepReport> reports;
   std::vector<solve::State> states;
 
@@ -52,5 +54,16 @@ struct PlaneRun {
 
 PlaneRun run(const base::List& list);
 PlaneRun run(const Teuchos::ParameterList& list);
+
+/// How a panel is meshed freely.
+struct FreeMeshing {
+  std::string kind = "quadrilaterals";  ///< or "triangles" or "mixed"
+  double size = 4.0;                    ///< mm
+  std::vector<double> corners = {};     ///< x, y, x, y, ... where it is finer
+  double corner_size = 1.0;             ///< mm, there
+};
+
+/// Runs the scene with its panel "sheet" meshed freely; a mixed mesh on one rank only.
+PlaneRun run_freely(Teuchos::ParameterList list, const FreeMeshing& meshing);
 
 }  // namespace toile::test

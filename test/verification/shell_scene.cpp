@@ -3,10 +3,12 @@
 #include <Tpetra_Core.hpp>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "toile/base/timer.hpp"
+#include "verification/mixed_problem.hpp"
 
 namespace toile::test {
 
@@ -38,12 +40,14 @@ size_t PointHistory::step_at(double wanted) const {
   throw std::runtime_error("no step at load " + std::to_string(wanted));
 }
 
-PointHistory follow_points(const base::List& list) {
+PointHistory follow_points(const base::List& list, bool mixed) {
   PointHistory history;
   base::Timer timer;
   const scene::Scene scene(list, Tpetra::getDefaultComm()->getSize(), timer);
   const mesh::Mesh& mesh = scene.garment().mesh;
-  solve::Simulation simulation(scene.problem(), scene.solver());
+  std::optional<MixedProblem> cut;
+  if (mixed) cut.emplace(scene.problem());
+  solve::Simulation simulation(cut ? cut->problem : scene.problem(), scene.solver());
   std::vector<int> cluster_of(mesh.nodes());
   for (size_t c = 0; c < scene.problem().clusters.size(); ++c)
     for (const int n : scene.problem().clusters[c]) cluster_of[n] = static_cast<int>(c);

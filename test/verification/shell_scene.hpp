@@ -24,8 +24,9 @@ struct PointHistory {
   size_t step_at(double wanted) const;
 };
 
-/// Runs all stages of a scene, on all ranks of MPI's world.
-PointHistory follow_points(const base::List& list);
+/// Runs all stages of a scene, on all ranks of MPI's world. `mixed`: with about every second quadrilateral cut in two
+/// (see MixedProblem), on one rank.
+PointHistory follow_points(const base::List& list, bool mixed = false);
 
 /// A scene of input/, as it is.
 base::List shipped_scene(const std::string& file);

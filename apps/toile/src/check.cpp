@@ -2,28 +2,25 @@
 #include <iostream>
 
 #include "commands.hpp"
-#include "recorder.hpp"
-#include "start.hpp"
 #include "toile/base/error.hpp"
-#include "toile/material/read_laws.hpp"
 #include "toile/result/available.hpp"
+#include "toile/run/outputs.hpp"
 
 namespace toile::app {
 
 int check(const CheckArguments& arguments) {
-  const bool first = Tpetra::getDefaultComm()->getRank() == 0;
-  base::Log log = first ? base::Log(std::cout, std::cerr) : base::Log();
-  base::Timer timer;
-  const material::Laws laws = material::read_laws(arguments.scene, "scene", arguments.allow_plugins);
-  const base::List list = base::read_xml(arguments.scene, scene::scene_spec(laws));
-  const scene::Scene scene(list, 1, timer, laws);
-  check_names(scene, list);
-  const scene::StartReport start = scene::look_at_start(scene, list);
-  if (!arguments.output.empty() && first) {
+  run::Options options;
+  options.allow_plugins = arguments.allow_plugins;
+  if (Tpetra::getDefaultComm()->getRank() == 0) options.log = base::Log(std::cout, std::cerr);
+  run::Session session(arguments.scene, options);
+  base::Log& log = session.log();
+  const scene::Scene& scene = session.scene();
+  run::check_names(scene, session.list());
+  if (!arguments.output.empty()) {
     if (!result::files_available()) log.warn("this build of Toile writes no start.exo (TOILE_ENABLE_RESULT=OFF)");
-    Recorder(scene, arguments.output).write_start();
+    run::write_start(session, arguments.output);
   }
-  tell_start(start, log);
+  run::tell_start(session.start_report(), log);
   log.info(arguments.scene + ": valid. " + std::to_string(scene.garment().mesh.nodes()) + " nodes, " +
            std::to_string(scene.garment().mesh.elements()) + " elements, " +
            std::to_string(scene.garment().seams.size()) + " seams, " + std::to_string(scene.stages().size()) +

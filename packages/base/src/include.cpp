@@ -28,16 +28,22 @@ using Chain = std::vector<std::filesystem::path>;
 
 class Reader {
  public:
-  Reader(const std::string& file, const std::string& root) : root_(root), merged_{ParameterList(root), Origins(file)} {
-    read(file, merged_.list, {});
-  }
+  /// `file`: the one that the others are included in.
+  Reader(const std::string& file, const std::string& root) : root_(root), merged_{ParameterList(root), Origins(file)} {}
+
+  void read(const std::string& file) { read(file, merged_.list, {}); }
+  void read(const Content& content) { add(content.list, content.name, merged_.list, {}); }
   Merged take() { return std::move(merged_); }
 
  private:
   /// Puts what `file` says, and before it what it includes, on top of `list`.
   void read(const std::string& file, ParameterList& list, Chain chain) {
-    ParameterList own = parse_xml(content_of(file), file, root_);
+    const ParameterList own = parse_xml(content_of(file), file, root_);
     chain.push_back(std::filesystem::weakly_canonical(file));
+    add(own, file, list, chain);
+  }
+
+  void add(const ParameterList& own, const std::string& file, ParameterList& list, const Chain& chain) {
     if (own.isType<Teuchos::Array<std::string>>(include_key)) {
       for (const std::string& name : own.get<Teuchos::Array<std::string>>(include_key)) {
         const std::string path = (std::filesystem::path(file).parent_path() / name).lexically_normal().string();
@@ -113,7 +119,15 @@ Parameter include_parameter() {
 }
 
 Merged read_merged(const std::string& file, const std::string& root) {
-  return Reader(file, root).take();
+  Reader reader(file, root);
+  reader.read(file);
+  return reader.take();
+}
+
+Merged merged(const Content& content, const std::string& root) {
+  Reader reader(content.name, root);
+  reader.read(content);
+  return reader.take();
 }
 
 }  // namespace toile::base

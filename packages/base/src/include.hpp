@@ -4,6 +4,7 @@
 #include <string>
 
 #include "toile/base/origins.hpp"
+#include "toile/base/read_content.hpp"
 
 namespace toile::base {
 
@@ -18,5 +19,8 @@ struct Merged {
 /// Reads `file` and the files of its parameter "include" (paths from the folder of the file that names them).
 /// `root`: name of the outermost list in messages. Throws InputError that names the file at fault.
 Merged read_merged(const std::string& file, const std::string& root);
+
+/// The same of what is in memory.
+Merged merged(const Content& content, const std::string& root);
 
 }  // namespace toile::base

@@ -18,16 +18,16 @@ struct ShearSampling {
   double interpolation[Points][2][Edges];
 };
 
-/// Transverse shear energy 1/2 G h0 |gamma|^2 of an element with the assumed field of its edge samples: a quadratic
-/// form of the samples whose matrix depends on the reference only.
+/// Transverse shear energy 1/2 sum of k_a gamma_a^2 over the two material axes of an element with the assumed field of
+/// its edge samples: a quadratic form of the samples whose matrix depends on the reference only.
 template <int Nodes, int Edges, int Points>
 class AssumedShear {
  public:
   using Sampling = ShearSampling<Nodes, Edges, Points>;
 
-  /// `stiffness`: G h0, N/mm.
+  /// `stiffness`: k_a along the two material axes, N/mm; G h0 unless the element softens it.
   void set_reference(const Sampling& sampling, const ShellNodes<Nodes>& nodes,
-                     const ReferencePoint<Nodes> (&points)[Points], double stiffness);
+                     const ReferencePoint<Nodes> (&points)[Points], const double (&stiffness)[2]);
   void deform(const ShellNodes<Nodes>& nodes);
   double energy() const;
   void add_force(NodalSystem<Nodes>& system) const;
@@ -62,7 +62,7 @@ double AssumedShear<Nodes, Edges, Points>::sample(const Sampling& sampling, int 
 template <int Nodes, int Edges, int Points>
 void AssumedShear<Nodes, Edges, Points>::set_reference(const Sampling& sampling, const ShellNodes<Nodes>& nodes,
                                                        const ReferencePoint<Nodes> (&points)[Points],
-                                                       double stiffness) {
+                                                       const double (&stiffness)[2]) {
   sampling_ = &sampling;
   for (int k = 0; k < Edges; ++k) reference_[k] = sample(sampling, k, nodes.X, nodes.D);
   std::fill_n(&matrix_[0][0], Edges * Edges, 0.0);
@@ -73,7 +73,7 @@ void AssumedShear<Nodes, Edges, Points>::set_reference(const Sampling& sampling,
       double row[Edges];
       for (int k = 0; k < Edges; ++k) row[k] = T[0][a] * along_1[k] + T[1][a] * along_2[k];
       for (int k = 0; k < Edges; ++k) {
-        for (int m = 0; m < Edges; ++m) matrix_[k][m] += stiffness * points[p].area * row[k] * row[m];
+        for (int m = 0; m < Edges; ++m) matrix_[k][m] += stiffness[a] * points[p].area * row[k] * row[m];
       }
     }
   }

@@ -8,6 +8,8 @@ namespace toile::element {
 /// For an element whose points leave no deformation without energy.
 struct NoStabilisation {
   static constexpr int frozen_values = 0;
+  static constexpr bool has_energy = false;
+  static constexpr bool softens_shear = false;
 };
 
 /// Physical stabilisation of a quadrilateral with one in-plane point.
@@ -21,6 +23,8 @@ class Hourglass {
  public:
   /// Moduli along the two axes, and S11, S22, S12 (positive semidefinite part), MPa.
   static constexpr int frozen_values = 5;
+  static constexpr bool has_energy = true;
+  static constexpr bool softens_shear = false;
   /// `S`, `D`: at the centre; `natural`: D of the undeformed material, of which the moduli keep a hundredth at least.
   static void freeze(const double (&S)[3], const double (&D)[6], const double (&natural)[6], double* frozen);
 

@@ -16,6 +16,7 @@
 #include "point_tension.hpp"
 #include "principal_stress.hpp"
 #include "shell_state.hpp"
+#include "soft_shear.hpp"
 #include "toile/element/element.hpp"
 
 namespace toile::element {
@@ -31,9 +32,9 @@ struct ShellFormulation {
 /// Shell with 5 unknowns a node: its position and two rotations of its director since the start of the step.
 ///
 /// Energy = sum over in-plane points and layers of h0 w W(C(z)) dA (see ShellPoint), + linear elastic transverse shear
-/// with an assumed field (see AssumedShear), + `Control` (Hourglass or NoStabilisation). Derivatives are taken by the
-/// positions and directors of the nodes, then condensed to rotations (see NodalSystem); the tangent is the exact
-/// Hessian at any rotation.
+/// with an assumed field (see AssumedShear), + the energy of `Control` (Hourglass, SoftShear or NoStabilisation).
+/// Derivatives are taken by the positions and directors of the nodes, then condensed to rotations (see NodalSystem);
+/// the tangent is the exact Hessian at any rotation.
 ///
 /// Frozen values: the thickness stretch at each in-plane point, then those of the control.
 ///
@@ -66,7 +67,7 @@ class Shell final : public Element {
   static constexpr int dofs = 5 * Nodes;
   static constexpr int largest_chunk = 64;
   static constexpr int chunk_points = 768;
-  static constexpr bool has_control = Control::frozen_values > 0;
+  static constexpr bool has_control = Control::has_energy;
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
   using State = ShellState<Nodes, Points, ShearPoints>;
@@ -183,13 +184,15 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::evaluate_element(const B
     if (with_tangent) part.add_stiffness(system);
   };
   AssumedShear<Nodes, Edges, ShearPoints> shear;
-  shear.set_reference(formulation_.shear, state.nodes, state.shear_point, batch.shear_modulus * batch.thickness);
+  [[maybe_unused]] const double* frozen = batch.frozen + e * frozen_values() + Points;
+  double stiffness[2] = {batch.shear_modulus * batch.thickness, batch.shear_modulus * batch.thickness};
+  if constexpr (Control::softens_shear) Control::soften(state.nodes.X, batch.thickness, frozen, stiffness);
+  shear.set_reference(formulation_.shear, state.nodes, state.shear_point, stiffness);
   shear.deform(state.nodes);
   add(shear);
   if constexpr (has_control) {
     Control control;
-    control.set_reference(state.nodes, state.shear_point, state.point[0], batch.thickness,
-                          batch.frozen + e * frozen_values() + Points);
+    control.set_reference(state.nodes, state.shear_point, state.point[0], batch.thickness, frozen);
     control.deform(state.nodes, state.point[0]);
     add(control);
   }
@@ -232,7 +235,7 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze(const Batch& batc
   for (int first = 0, count = 0; first < batch.n; first += count) {
     count = std::min(chunk_size(middle), batch.n - first);
     const Chunk& chunk = fill(batch, middle, nullptr, first, count, has_control);
-    if constexpr (has_control) {
+    if constexpr (Control::frozen_values > 0) {
       natural.resize(count);
       for (int k = 0; k < count; ++k) natural.set_C(k, {1.0, 1.0, 0.0});
       natural.evaluate(batch, first, 1, true);
@@ -250,9 +253,11 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::freeze_element(const Chu
   const PointResponse& response = chunk.response;
   const bool admissible = status(chunk, k) != material::point_not_admissible;
   for (int p = 0; p < Points; ++p) frozen[p] = admissible ? response.thickness_stretch[k * Points + p] : 1.0;
+  [[maybe_unused]] double at_rest[6];
+  if constexpr (Control::frozen_values > 0) natural.pick(natural.D, k, 1.0, at_rest);
+  if constexpr (Control::softens_shear) Control::freeze(at_rest, frozen + Points);
   if constexpr (has_control) {
-    double S[3] = {}, D[6], at_rest[6];
-    natural.pick(natural.D, k, 1.0, at_rest);
+    double S[3] = {}, D[6];
     std::copy_n(at_rest, 6, D);
     if (admissible) {
       response.pick(response.S, k, 1.0, S);

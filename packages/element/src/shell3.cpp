@@ -26,8 +26,8 @@ ShearSampling<3, 3, 3> mitc3() {
 }  // namespace
 
 const Element& shell3() {
-  static const Shell<3, 3, 1, 3, NoStabilisation> element("shell3", "three-node shell, one point, assumed shear",
-                                                          {linear(), linear_three_points(), mitc3()});
+  static const Shell<3, 3, 1, 3, SoftShear> element("shell3", "three-node shell, one point, softened assumed shear",
+                                                    {linear(), linear_three_points(), mitc3()});
   return element;
 }
 

@@ -4,7 +4,8 @@
 
 namespace toile::element {
 
-/// Three-node shell with one in-plane point and MITC3 transverse shear; nodes counter-clockwise in the pattern.
+/// Three-node shell with one in-plane point and MITC3 transverse shear, softened on coarse meshes; nodes
+/// counter-clockwise in the pattern.
 const Element& shell3();
 
 }  // namespace toile::element

@@ -160,7 +160,7 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
   const mesh::Mesh& mesh = *problem.mesh;
   const solve::State start = scene.start();
   const solve::Fields fields = solve::compute_fields(problem, start);
-  const std::vector<Vec3> position = positions_of(problem, start);
+  const std::vector<Vec3> position = node_positions(problem, start);
   const std::vector<double> closed = closing(scene, position);
   const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
   std::vector<PanelStart> panels;
@@ -191,7 +191,7 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
 std::vector<LoosePart> loose_parts(const Scene& scene) {
   constexpr double touching = 1.0;  // mm
   const solve::Problem& problem = scene.problem();
-  const std::vector<Vec3> position = positions_of(problem, scene.start());
+  const std::vector<Vec3> position = node_positions(problem, scene.start());
   const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
   std::vector<bool> held(position.size(), false);
   for (const solve::Support& support : problem.supports)

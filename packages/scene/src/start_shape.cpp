@@ -19,13 +19,6 @@ std::pair<double, double> Deformation::principal() const {
   return {std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius))};
 }
 
-std::vector<solve::Vec3> positions_of(const solve::Problem& problem, const solve::State& state) {
-  std::vector<solve::Vec3> position(static_cast<size_t>(problem.mesh->nodes()));
-  for (size_t c = 0; c < problem.clusters.size(); ++c)
-    for (const int n : problem.clusters[c]) position[n] = node_position(problem, state, static_cast<int>(c), n);
-  return position;
-}
-
 namespace {
 
 /// Change of a nodal field along two sides of an element, of a quadrilateral at its centre.

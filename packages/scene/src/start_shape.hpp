@@ -25,9 +25,6 @@ struct Deformation {
   std::pair<double, double> principal() const;
 };
 
-/// [node] mm, of a state.
-std::vector<solve::Vec3> positions_of(const solve::Problem& problem, const solve::State& state);
-
 /// All elements of a block, at these node positions.
 std::vector<Deformation> deformations(const mesh::Mesh& mesh, const mesh::Block& block,
                                       const std::vector<solve::Vec3>& position);

@@ -2,12 +2,9 @@
 
 #include <vector>
 
-#include "toile/solve/problem.hpp"
+#include "toile/solve/fields.hpp"
 
 namespace toile::solve {
-
-/// [node] mm.
-std::vector<Vec3> node_positions(const Problem& problem, const State& state);
 
 /// All elements of one block of the mesh in a state, in the layout of element::Batch. Not to be copied: the batch
 /// points into it.

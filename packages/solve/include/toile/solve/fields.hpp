@@ -44,6 +44,9 @@ struct Fields {
   int contacts_off_surface = 0;        ///< clusters in contact where the body has no smooth surface, only facets
 };
 
+/// [node] mm
+std::vector<Vec3> node_positions(const Problem& problem, const State& state);
+
 /// Evaluates the whole garment on the calling rank.
 Fields compute_fields(const Problem& problem, const State& state);
 

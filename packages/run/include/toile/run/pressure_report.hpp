@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toile/result/pressure_lines.hpp"
+#include "toile/scene/scene.hpp"
+#include "toile/solve/fields.hpp"
+#include "toile/solve/simulation.hpp"
+
+namespace toile::run {
+
+/// Pressure of the last state at the levels and along the axis, as far as the scene asks for them.
+struct PressureReport {
+  std::vector<result::LevelRow> levels, curve;
+  std::vector<std::string> warnings;  ///< levels that are not reached or not closed
+};
+
+PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report);
+
+/// [node] the first of the nodes that a closed seam holds together with it.
+std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
+
+/// [element] true where some nodes are held by a support and others are not.
+std::vector<bool> elements_at_supports(const solve::Problem& problem);
+
+}  // namespace toile::run

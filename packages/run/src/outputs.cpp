@@ -1,0 +1,63 @@
+#include "toile/run/outputs.hpp"
+
+#include "alike.hpp"
+#include "exodus_output.hpp"
+#include "output.hpp"
+
+namespace toile::run {
+
+// Every output, in the order in which they are told of an event: each is a function NAME_output() in a source of its
+// own. What is drawn or said at the end comes after what it speaks of.
+#define TOILE_OUTPUTS(OUTPUT) \
+  OUTPUT(progress)            \
+  OUTPUT(notes)               \
+  OUTPUT(exodus)              \
+  OUTPUT(history)             \
+  OUTPUT(restart)             \
+  OUTPUT(older_files)         \
+  OUTPUT(reactions)           \
+  OUTPUT(points)              \
+  OUTPUT(distances)           \
+  OUTPUT(force_curves)        \
+  OUTPUT(torques)             \
+  OUTPUT(pressure)            \
+  OUTPUT(field_warnings)      \
+  OUTPUT(summary)             \
+  OUTPUT(findings)            \
+  OUTPUT(checks)
+
+#define TOILE_DECLARE(name) Output name##_output();
+TOILE_OUTPUTS(TOILE_DECLARE)
+
+namespace {
+
+std::vector<Output> registry() {
+#define TOILE_CALL(name) name##_output(),
+  return {TOILE_OUTPUTS(TOILE_CALL)};
+}
+
+}  // namespace
+
+std::vector<std::string> output_files() {
+  std::vector<std::string> files;
+  for (const Output& output : registry()) files.insert(files.end(), output.files.begin(), output.files.end());
+  return files;
+}
+
+void add_outputs(Session& session, const OutputOptions& options) {
+  const bool writes = !options.folder.empty();
+  if (writes) check_names(session.scene(), session.list());
+  on_first_rank([&] {
+    const auto folder = writes ? std::make_shared<Folder>(options.folder, output_files()) : nullptr;
+    const OutputContext context{session.scene(), session.log(), session.timer(), folder, options.heartbeat};
+    for (const Output& output : registry())
+      if (auto observer = output.make(context)) session.add(std::move(observer));
+  });
+}
+
+void write_start(Session& session, const std::string& folder) {
+  check_names(session.scene(), session.list());
+  on_first_rank([&] { write_start(session.record(), Folder(folder, output_files())); });
+}
+
+}  // namespace toile::run

@@ -1,0 +1,72 @@
+#include "toile/run/pressure_report.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "toile/solve/output_fields.hpp"
+
+namespace toile::run {
+
+namespace {
+
+result::Axis axis_of(const scene::Output& output) {
+  result::Axis axis{output.axis_point, output.axis_direction};
+  if (!output.bent_axis) return axis;
+  axis.length = output.bent_axis->length();
+  axis.bent = [&bent = *output.bent_axis](double height) {
+    const mesh::BentAxis::Place place = bent.at(height);
+    return result::AxisPlace{place.point, place.direction};
+  };
+  return axis;
+}
+
+}  // namespace
+
+std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report) {
+  std::vector<int> tied(static_cast<size_t>(problem.mesh->nodes()));
+  std::iota(tied.begin(), tied.end(), 0);
+  if (report.seam != 1.0) return tied;
+  for (const std::vector<int>& cluster : problem.clusters)
+    for (const int n : cluster) tied[n] = cluster.front();
+  return tied;
+}
+
+std::vector<bool> elements_at_supports(const solve::Problem& problem) {
+  std::vector<bool> held(static_cast<size_t>(problem.mesh->nodes()), false), at_support;
+  for (const solve::Support& support : problem.supports)
+    for (const int n : support.nodes) held[n] = true;
+  for (const mesh::Block& block : problem.mesh->blocks) {
+    const int per = block.nodes_per_element;
+    for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += per) {
+      const auto count = std::count_if(node, node + per, [&](int n) { return held[n]; });
+      at_support.push_back(count > 0 && count < per);
+    }
+  }
+  return at_support;
+}
+
+PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields,
+                               const solve::StepReport& report) {
+  const scene::Output& output = scene.output();
+  PressureReport found;
+  if (scene.surface() == nullptr || (output.stations == 0 && output.levels.empty())) return found;
+  const result::GarmentFields garment{&scene.garment().mesh,
+                                      fields.position,
+                                      tied_nodes(scene.problem(), report),
+                                      fields.pressure,
+                                      fields.pressure_error,
+                                      fields.tension,
+                                      solve::named(solve::element_fields(fields), "cauchy_minor").values,
+                                      elements_at_supports(scene.problem())};
+  const result::Axis axis = axis_of(output);
+  std::vector<result::Level> levels;
+  for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});
+  found.levels = result::levels(garment, axis, levels);
+  found.warnings = result::level_warnings(garment, axis, found.levels);
+  if (output.stations > 0) found.curve = result::pressure_curve(garment, axis, output.stations);
+  if (output.stations > 0 && found.curve.empty())
+    found.warnings.emplace_back("pressure-curve.csv is empty: at no height does the garment close round the body");
+  return found;
+}
+
+}  // namespace toile::run

@@ -1,0 +1,56 @@
+#include "toile/run/record.hpp"
+
+#include "toile/base/error.hpp"
+
+namespace toile::run {
+
+Record::Record(const scene::Scene& scene, base::Timer& timer)
+    : scene_(scene),
+      timer_(timer),
+      state_(scene.start()),
+      points_(scene.output().points.size()),
+      distances_(scene.output().distances.size()) {}
+
+const solve::StepReport& Record::last() const {
+  if (reports_.empty()) throw base::Error(base::ExitCode::internal_error, "no step of the run was accepted yet");
+  return reports_.back();
+}
+
+std::shared_ptr<const solve::Fields> Record::shared_fields() const {
+  if (fields_ == nullptr)
+    fields_ = std::make_shared<const solve::Fields>(solve::compute_fields(scene_.problem(), state_));
+  return fields_;
+}
+
+const PressureReport& Record::pressure() const {
+  if (pressure_ == nullptr) {
+    const auto phase = timer_.phase("curves");
+    pressure_ = std::make_unique<PressureReport>(pressure_report(scene_, fields(), last()));
+  }
+  return *pressure_;
+}
+
+void Record::add(const solve::StepReport& report, const solve::State& state) {
+  reports_.push_back(report);
+  state_ = state;
+  fields_.reset();
+  pressure_.reset();
+  if (points_.empty() && distances_.empty()) return;
+  const std::vector<solve::Vec3> position = solve::node_positions(scene_.problem(), state);
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const int node = scene_.output().points[i].node;
+    points_[i].push_back(position[node] - scene_.garment().mesh.placed[node]);
+  }
+  for (size_t i = 0; i < distances_.size(); ++i) {
+    const scene::Distance& distance = scene_.output().distances[i];
+    distances_[i].push_back((position[distance.second] - position[distance.first]).norm());
+  }
+}
+
+void Record::follow(const solve::Simulation& simulation) {
+  statistics_ = simulation.statistics();
+  notes_ = simulation.notes();
+  warnings_ = simulation.warnings();
+}
+
+}  // namespace toile::run

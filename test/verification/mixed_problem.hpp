@@ -1,0 +1,22 @@
+#pragma once
+
+#include "toile/solve/problem.hpp"
+
+namespace toile::test {
+
+/// A problem of quadrilaterals of which about every second one, as chance has it, is cut in two along its shorter
+/// diagonal: triangles and quadrilaterals of the same fabric and kind (membrane, shell) on the same nodes. One rank.
+class MixedProblem {
+ public:
+  explicit MixedProblem(const solve::Problem& whole);
+  MixedProblem(const MixedProblem&) = delete;
+  MixedProblem& operator=(const MixedProblem&) = delete;
+
+  solve::Problem problem;
+  int triangles() const;  ///< elements with three nodes
+
+ private:
+  mesh::Mesh mesh_;
+};
+
+}  // namespace toile::test
