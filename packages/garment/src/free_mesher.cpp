@@ -16,8 +16,6 @@ namespace {
 
 using mesh::Vec2;
 
-/// More would take the memory of a large machine before the first step.
-constexpr double most_elements = 1e6;
 /// A node lies where the tangent of an edge turns by more than this.
 constexpr double corner = 0.2;  // radians
 /// Of an edge's length: how near the end of a line must be to lie on it.
