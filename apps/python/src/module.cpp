@@ -6,6 +6,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_Core.hpp>
+#include <cmath>
 #include <iostream>
 #include <limits>
 
@@ -372,8 +373,8 @@ void add_step(py::module_& m) {
       .def_readonly("final", &StepReport::undamped, "Whether this is the equilibrium that ends the stage.")
       .def_readonly("seconds", &StepReport::seconds, "Wall time since the start of the run.")
       .def("__repr__", [](const StepReport& r) {
-        return "<toile.Step " + std::to_string(r.step) + " of stage \"" + r.stage + "\" at load " +
-               std::to_string(r.load) + ">";
+        return "<toile.Step " + std::to_string(r.step) + ": " + std::to_string(std::lround(100.0 * r.parameter)) +
+               " % of stage \"" + r.stage + "\">";
       });
 }
 
