@@ -1,3 +1,11 @@
+# A library that the Python module holds is loaded at run time. Nobody replaces a function of it, so that it is as quick as any.
+function(toile_make_loadable target)
+  if(TOILE_ENABLE_PYTHON)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  endif()
+endfunction()
+
 # toile_package(<name> USES <packages...> USES_LIBRARIES <third-party...> PRIVATE_LIBRARIES <third-party...>)
 #
 # PRIVATE_LIBRARIES are used in sources only; their compile options do not reach other packages.
@@ -16,11 +24,7 @@ function(toile_package name)
   endif()
   add_library(toile_${name} STATIC ${sources})
   toile_check_dependencies(${name} "${arg_USES}")
-  if(TOILE_ENABLE_PYTHON)
-    # For a module that is loaded at run time; nobody replaces a function of it, so that it is as quick as without.
-    set_target_properties(toile_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_compile_options(toile_${name} PRIVATE -fno-semantic-interposition)
-  endif()
+  toile_make_loadable(toile_${name})
   target_include_directories(toile_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include")
   list(TRANSFORM arg_USES PREPEND toile_)
   list(TRANSFORM arg_USES_LIBRARIES PREPEND toile_lib_)

@@ -197,6 +197,23 @@ base::List square(const std::vector<std::vector<double>>& lines) {
   return panels_of(square_scene(lines));
 }
 
+// A whole ring, whose ends lie on each other, is refused by the free mesher with the reason and the way out; one with a
+// gap is meshed.
+TEST(FreePanel, EdgesOnEachOtherAreRefused) {
+  const auto ring = [](double angle) {
+    Teuchos::ParameterList scene("scene");
+    Teuchos::ParameterList& panel = scene.sublist("Panels").sublist("ring");
+    panel.set("material", std::string("knit")).set("shape", std::string("sector"));
+    panel.set("inner radius", 60.0).set("outer radius", 100.0).set("to angle", angle);
+    panel.set("mesher", std::string("free")).set("element size", 10.0);
+    return panels_of(scene);
+  };
+  EXPECT_EQ(build_panels(ring(350.0), nullptr).size(), 1u);
+  EXPECT_THAT(input_error([&] { build_panels(ring(360.0), nullptr); }),
+              AllOf(HasSubstr("scene > Panels > ring: parameter \"mesher\""),
+                    HasSubstr("edges lie on each other, as \"left\" and \"right\" do"), HasSubstr("\"structured\"")));
+}
+
 // Elements that are to be finer at a corner are so on the edges as well: their sides grow from 2 mm there to 20 mm.
 TEST(FreePanel, EdgesAreFinerWhereThePanelIs) {
   Teuchos::ParameterList scene = square_scene({});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -15,8 +16,6 @@ namespace {
 
 using mesh::Vec2;
 
-/// More would take the memory of a large machine before the first step.
-constexpr double most_elements = 1e6;
 /// A node lies where the tangent of an edge turns by more than this.
 constexpr double corner = 0.2;  // radians
 /// Of an edge's length: how near the end of a line must be to lie on it.
@@ -233,11 +232,38 @@ void check_number(const base::List& panel, const mesh::FreeMeshInput& input) {
   panel.fail("element size", text.str());
 }
 
+/// Two nodes of the outline at one place: a slit (a ring that is cut open and closed again), which Gmsh does not take.
+void check_slits(const base::List& panel, const Area& area) {
+  const auto edge_of = [&area](int node) {
+    for (const auto& [name, nodes] : area.edges)
+      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) return "\"" + name + "\"";
+    return std::string("the outline");
+  };
+  const std::vector<Vec2>& points = area.input.points;
+  std::vector<int> order;
+  for (const std::vector<int>& loop : area.input.loops) order.insert(order.end(), loop.begin(), loop.end());
+  std::sort(order.begin(), order.end(), [&points](int a, int b) { return points[a].x() < points[b].x(); });
+  const double near = 1e-6 * area.input.size;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t m = k + 1; m < order.size(); ++m) {
+      const Vec2 &a = points[order[k]], &b = points[order[m]];
+      if (b.x() - a.x() > near) break;
+      if ((b - a).norm() > near) continue;
+      const auto [first, second] = std::minmax({edge_of(order[k]), edge_of(order[m])});
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(3) << "\"free\" takes no panel whose edges lie on each other, as "
+           << first << " and " << second << " do near (" << a.x() << ", " << a.y()
+           << ") mm: use \"structured\", or leave a gap between them";
+      panel.fail("mesher", text.str());
+    }
+}
+
 mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::map<std::string, Fractions>& seeds) {
   Area area(cut, seeds);
   area.input.size = panel.real("element size");
   area.input.triangles = panel.word("elements") == "triangle";
   check_number(panel, area.input);
+  check_slits(panel, area);
   area.input.refinements = refinements_of(panel, cut);
   mesh::FreeMesh made;
   try {
