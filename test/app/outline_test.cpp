@@ -113,7 +113,7 @@ TEST_F(Outline, OfTooManyElementsIsRefused) {
   const Outcome outcome = toile("check scene.xml");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, ::testing::AllOf(::testing::HasSubstr("\"element size\" = 0.02"),
-                                            ::testing::HasSubstr("allowed are at most 1e+06")));
+                                            ::testing::HasSubstr("allowed are at most 1000000")));
 }
 
 // A part of an edge is sewn to another part; what is no part is told with what is valid.

@@ -12,13 +12,15 @@ namespace toile::body {
 namespace {
 
 /// Body of flat strips as a CAD program exports it: vertices on its two rims alone, at these places in the plane.
-TriangleMesh strips(const std::vector<Vec3>& section, double height, double slope = 0.0) {
+/// `turn`: of the upper rim against the lower one, radians.
+TriangleMesh strips(const std::vector<Vec3>& section, double height, double slope = 0.0, double turn = 0.0) {
   TriangleMesh mesh;
   const int n = static_cast<int>(section.size());
   for (int i = 0; i < n; ++i) {
     const int a = 2 * i, b = 2 * ((i + 1) % n);
     mesh.vertices.push_back(section[i]);
-    mesh.vertices.push_back((1.0 + slope * height / section[i].norm()) * section[i] + Vec3(0.0, 0.0, height));
+    const Vec3 above = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * section[i];
+    mesh.vertices.push_back((1.0 + slope * height / section[i].norm()) * above + Vec3(0.0, 0.0, height));
     mesh.triangles.push_back({a, b, b + 1});
     mesh.triangles.push_back({a, b + 1, a + 1});
   }
@@ -81,6 +83,21 @@ TEST(SplitLongTriangles, PutsVerticesOnACone) {
     EXPECT_GT(mesh.vertices.size(), rims);
     for (const Vec3& v : mesh.vertices) EXPECT_NEAR(std::hypot(v.x(), v.y()), 60.0 + 0.1 * v.z(), 1e-9);
     expect_whole(mesh);
+  }
+}
+
+// Strips whose rims are turned against each other by half a step have no edge along the body: how far the middles of
+// their edges lie inside it is told. Straight ones have none.
+TEST(SplitLongTriangles, TellsHowDeepTurnedStripsLie) {
+  for (const int segments : {24, 8}) {
+    TriangleMesh straight = strips(circle(segments), 400.0, 0.1);
+    EXPECT_NEAR(split_long_triangles(&straight), 0.0, 1e-12);
+    const double half_step = -M_PI / segments;  // against the diagonals: triangles of equal sides
+    TriangleMesh turned = strips(circle(segments), 400.0, 0.0, half_step);
+    const double depth = 60.0 * (1.0 - std::cos(0.5 * half_step));
+    const double told = split_long_triangles(&turned);
+    EXPECT_GT(told, depth) << segments;
+    EXPECT_LT(told, 1.5 * depth) << segments;
   }
 }
 

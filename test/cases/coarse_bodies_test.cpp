@@ -31,6 +31,22 @@ TEST_F(Bodies, FewStrips) {
   }
 }
 
+// Strips whose upper rim is turned by half a step against the lower one have chords for edges: what they do to the body
+// is told with its size.
+TEST_F(Bodies, TurnedStripsAreTold) {
+  Facets body = tube(60.0, 1, 400.0, 8, 0.0);
+  for (Point& point : body.points) {
+    if (point[2] < 200.0) continue;
+    const double angle = std::atan2(point[1], point[0]) - M_PI / 8.0, radius = std::hypot(point[0], point[1]);
+    point = {radius * std::cos(angle), radius * std::sin(angle), point[2]};
+  }
+  write("body.stl", stl(body, no_shift));
+  write_sleeve({{"body.obj", "body.stl"}});
+  const Outcome run = toile("check scene.xml");
+  EXPECT_THAT(run.out + run.err,
+              AllOf(HasSubstr("strips that turn along their length"), HasSubstr("mm inside the round body")));
+}
+
 /// Prism of `faces` flat faces on a circle of 60 mm, each cut into four across and 40 along.
 Facets prism(int faces) {
   constexpr int cuts = 4;

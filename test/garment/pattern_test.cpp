@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -172,7 +173,7 @@ TEST(WholePattern, WrongListsAreRefused) {
 }
 
 /// A square of 100 mm with free elements and some internal lines, each two points.
-base::List square(const std::vector<std::vector<double>>& lines) {
+Teuchos::ParameterList square_scene(const std::vector<std::vector<double>>& lines) {
   Teuchos::ParameterList scene("scene");
   Teuchos::ParameterList& panel = scene.sublist("Panels").sublist("front");
   panel.set("material", std::string("knit"));
@@ -185,7 +186,47 @@ base::List square(const std::vector<std::vector<double>>& lines) {
     panel.sublist("Lines")
         .sublist("line" + std::to_string(k))
         .set("points", Teuchos::Array<double>(lines[k].begin(), lines[k].end()));
+  return scene;
+}
+
+base::List panels_of(const Teuchos::ParameterList& scene) {
   return base::validate(scene, base::Spec("scene", "").list(panels_spec()), "scene.xml").list("Panels");
+}
+
+base::List square(const std::vector<std::vector<double>>& lines) {
+  return panels_of(square_scene(lines));
+}
+
+// A whole ring, whose ends lie on each other, is refused by the free mesher with the reason and the way out; one with a
+// gap is meshed.
+TEST(FreePanel, EdgesOnEachOtherAreRefused) {
+  const auto ring = [](double angle) {
+    Teuchos::ParameterList scene("scene");
+    Teuchos::ParameterList& panel = scene.sublist("Panels").sublist("ring");
+    panel.set("material", std::string("knit")).set("shape", std::string("sector"));
+    panel.set("inner radius", 60.0).set("outer radius", 100.0).set("to angle", angle);
+    panel.set("mesher", std::string("free")).set("element size", 10.0);
+    return panels_of(scene);
+  };
+  EXPECT_EQ(build_panels(ring(350.0), nullptr).size(), 1u);
+  EXPECT_THAT(input_error([&] { build_panels(ring(360.0), nullptr); }),
+              AllOf(HasSubstr("scene > Panels > ring: parameter \"mesher\""),
+                    HasSubstr("edges lie on each other, as \"left\" and \"right\" do"), HasSubstr("\"structured\"")));
+}
+
+// Elements that are to be finer at a corner are so on the edges as well: their sides grow from 2 mm there to 20 mm.
+TEST(FreePanel, EdgesAreFinerWhereThePanelIs) {
+  Teuchos::ParameterList scene = square_scene({});
+  Teuchos::ParameterList& finer = scene.sublist("Panels").sublist("front").sublist("Sizes").sublist("corner");
+  finer.set("at point", reals({0.0, 0.0})).set("size", 2.0).set("distance", 60.0);
+  const mesh::PanelMesh mesh = build_panels(panels_of(scene), nullptr)[0].mesh;
+  const std::vector<int>& round = mesh.edges.at("round");
+  for (std::size_t k = 1; k < round.size(); ++k) {
+    const mesh::Vec2 &a = mesh.nodes[round[k - 1]], &b = mesh.nodes[round[k]];
+    const double wanted = std::min(20.0, 2.0 + 0.3 * (0.5 * (a + b)).norm());
+    EXPECT_LT((b - a).norm(), 1.1 * wanted) << 0.5 * (a + b).transpose();
+    EXPECT_GT((b - a).norm(), 0.6 * wanted) << 0.5 * (a + b).transpose();
+  }
 }
 
 // An internal line may end on edges and other lines; one that leaves the panel or crosses another is refused.

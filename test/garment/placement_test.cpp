@@ -180,6 +180,28 @@ TEST(Placement, FreeWrapRollsWithoutStrain) {
   }
 }
 
+// So does a free mesh, whatever round-off the nodes of its straight hems have.
+TEST(Placement, FreeWrapOfAFreeMeshRollsWithoutStrain) {
+  for (const auto& [width, height] :
+       {std::array{254.0, 254.0}, std::array{100.0 * M_PI / 2, 100.0}, std::array{0.3, 0.7}, std::array{97.3, 311.9}}) {
+    const double radius = 2.0 * width;
+    Teuchos::ParameterList panels = wrapped("free wrap", width, height, 8, 4);
+    Teuchos::ParameterList& panel = panels.sublist("front");
+    panel.remove("elements across");
+    panel.remove("elements along");
+    panel.set("mesher", std::string("free")).set("element size", 0.1 * width);
+    placement_of(panels).set("around", reals({radius, radius}));
+    const mesh::Mesh mesh = build(panels);
+    double worst = 0.0;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const double angle = (mesh.pattern[node].x() - 0.5 * width) / radius;
+      const Vec3 wanted(radius * std::cos(angle), radius * std::sin(angle), 100.0 + mesh.pattern[node].y());
+      worst = std::max(worst, (mesh.placed[node] - wanted).norm());
+    }
+    EXPECT_LT(worst, 1e-9 * width) << width << " x " << height;
+  }
+}
+
 Teuchos::ParameterList hemisphere(double width, double height) {
   Teuchos::ParameterList panels;
   Teuchos::ParameterList& placement = test::add_rectangle(panels, "front", width, height, 8, 6).sublist("Placement");

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "toile/base/error.hpp"
 
 namespace toile::garment {
@@ -36,6 +38,48 @@ TEST(Seeds, OneEdge) {
   const Fractions nodes = plan_seeds({kept}, {})[0];
   EXPECT_EQ(within(nodes, 0.0, 0.3).size(), 5u);
   EXPECT_EQ(within(nodes, 0.3, 1.0).size(), 9u);
+}
+
+/// An edge of 100 mm with sides of 10 mm, of 1 mm at its end; the length grows over 30 mm.
+SeededEdge graded(const std::string& name) {
+  SeededEdge result = edge(name, 100.0, 10.0);
+  result.finer = [](double at) { return std::min(10.0, 1.0 + 0.3 * (100.0 - 100.0 * at)); };
+  return result;
+}
+
+/// Each side of a graded edge is as long as is wanted at its middle, or shorter by not more than a third; there is an
+/// even number of them.
+void expect_graded(const Fractions& nodes) {
+  EXPECT_EQ(nodes.size() % 2, 1u);
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const double length = 100.0 * (nodes[k] - nodes[k - 1]), wanted = graded("").finer(0.5 * (nodes[k] + nodes[k - 1]));
+    EXPECT_LT(length, 1.1 * std::min(10.0, wanted)) << "side " << k;
+    EXPECT_GT(length, 0.67 * std::min(10.0, wanted)) << "side " << k;
+  }
+}
+
+// The nodes of an edge follow the length of sides that is wanted along it.
+TEST(Seeds, SidesOfAnEdgeThatIsFinerAtItsEndGrow) {
+  expect_graded(plan_seeds({graded("front.hem")}, {})[0]);
+}
+
+// What an edge that is finer at its end is sewn to gets its nodes, from either end; a refinement on both sides of the
+// seam leaves no short sides between their nodes, and a mesher that dictates its nodes is not asked for others.
+TEST(Seeds, GradedEdgesMatchAcrossSeams) {
+  for (const bool reversed : {false, true}) {
+    const auto nodes =
+        plan_seeds({edge("a.side", 100.0, 10.0), graded("b.side")}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, reversed}});
+    expect_graded(nodes[1]);
+    ASSERT_EQ(nodes[0].size(), nodes[1].size());
+    for (std::size_t k = 0; k < nodes[0].size(); ++k)
+      EXPECT_NEAR(nodes[0][k], reversed ? 1.0 - nodes[1][nodes[1].size() - 1 - k] : nodes[1][k], 1e-9);
+  }
+  const auto both = plan_seeds({graded("a.side"), graded("b.side")}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false}});
+  expect_graded(both[0]);
+  expect_equal(both[0], both[1]);
+  SeededEdge rows = edge("a.side", 100.0, 10.0);
+  for (int k = 0; k <= 8; ++k) rows.dictated.push_back(k / 8.0);
+  expect_equal(plan_seeds({rows, graded("b.side")}, {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false}})[1], rows.dictated);
 }
 
 // Edges that are sewn get the same nodes, those of the finer one, also when one runs the other way.

@@ -103,6 +103,14 @@ class Module(unittest.TestCase):
         self.assertGreater(checked.levels["pressure"][0], 0.3)
         self.assertTrue(issubclass(toile.CheckError, toile.Error) and not issubclass(toile.CheckError, toile.InputError))
 
+    def test_warnings_are_python_s(self):
+        """What limits the trust in a result is a UserWarning, and in the session."""
+        high = {"include": [str(TUBE)], "Output": {"Levels": {"far": {"height": 500.0}}}}
+        with self.assertWarnsRegex(UserWarning, "far"):
+            session = toile.run(high)
+        self.assertTrue(any("far" in warning for warning in session.warnings))
+        self.assertTrue(np.isnan(session.levels["pressure"][session.levels["title"].index("far")]))
+
     def test_values_that_no_scene_holds(self):
         """A value of another type than a scene file has is a TypeError that names the parameter."""
         for value, told in ((None, "NoneType"), (2**40, "too large"), ([1.0, "a"], "numbers or texts"), ([True], "bool")):

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "support.hpp"
 
@@ -128,6 +129,28 @@ TEST(PressureLines, TensionIsThatOfTheHeight) {
     const double z = first_height + share * height;
     const std::vector<LevelRow> rows = levels(cone.fields, {}, {{"here", z}});
     EXPECT_NEAR(rows.front().hoop_tension, tension(z), 2e-3 * tension(z)) << z;
+  }
+}
+
+// The error of a section between two rows of nodes holds what the line between them misses: at least half and at most
+// three and a half times of it, where the pressure bends in one place and where it is smooth.
+TEST(PressureLines, ErrorHoldsWhatTheLineBetweenRowsMisses) {
+  const double spacing = height / 15;
+  const double bend = first_height + 7.5 * spacing;
+  const auto bent = [&](double z) { return 2e-3 - 4e-6 * std::abs(z - bend); };
+  const auto smooth = [&](double z) { return 2e-3 - 1e-7 * (z - bend) * (z - bend); };
+  for (const auto& pressure : {std::function<double(double)>(bent), std::function<double(double)>(smooth)}) {
+    Cone cone;
+    for (std::size_t n = 0; n < cone.fields.pressure.size(); ++n)
+      cone.fields.pressure[n] = pressure(cone.fields.position[n].z());
+    cone.fields.pressure_error.assign(cone.fields.pressure.size(), 0.0);
+    for (const double share : {0.2, 0.5, 0.7}) {
+      const double z = first_height + (7.0 + share) * spacing;
+      const LevelRow row = levels(cone.fields, {}, {{"here", z}}).front();
+      const double error = std::abs(row.pressure_mean - pressure(z));
+      EXPECT_GT(row.pressure_error, 0.5 * error - 1e-15) << z;
+      EXPECT_LT(row.pressure_error, 3.5 * error) << z;
+    }
   }
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "body/meshes.hpp"
-#include "toile/base/timer.hpp"
 #include "toile/body/level_set.hpp"
+#include "toile/run/session.hpp"
 #include "verification/pattern_sleeve.hpp"
 #include "verification/print.hpp"
 
@@ -163,12 +163,10 @@ TEST(TwoFabrics, HaveTheirOwnPressures) {
   list.sublist("Supports").sublist("end").set("on", Teuchos::Array<std::string>(1, "soft.bottom")).set("hold", "z");
   list.sublist("Contact").set("contact surface", "mid-surface");
   list.sublist("Stages").sublist("settle").set("type", "settle");
-  base::Timer timer;
-  const scene::Scene scene(base::validate(list, scene::scene_spec(), "two.xml"), 1, timer);
-  solve::Simulation simulation(scene.problem(), scene.solver());
-  simulation.set_start(scene.start());
-  simulation.run(scene.stages().front());
-  const solve::Fields fields = solve::compute_fields(scene.problem(), simulation.state());
+  run::Session session(base::validate(list, scene::scene_spec(), "two.xml"));
+  session.run();
+  const scene::Scene& scene = session.scene();
+  const solve::Fields& fields = session.record().fields();
   const double hoop = 1.2, axial = 1.0 / std::sqrt(hoop);
   const double per_c10 = 2.0 / axial * (hoop - std::pow(axial, -2) * std::pow(hoop, -3)) / 60.0;
   double worst = 0.0, force_over_area = 0.0;

@@ -2,13 +2,11 @@
 
 #include <unistd.h>
 
-#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "toile/base/units.hpp"
-#include "toile/result/pressure_lines.hpp"
 
 namespace toile::test {
 namespace {
@@ -57,21 +55,8 @@ base::List read_coarse(const std::string& name, const std::string& more) {
 }  // namespace
 
 std::vector<LegLevel> Leg::levels() const {
-  result::GarmentFields garment;
-  garment.mesh = &scene->garment().mesh;
-  garment.position = fields.position;
-  garment.tied.resize(fields.position.size());
-  for (const std::vector<int>& cluster : scene->problem().clusters)
-    for (const int n : cluster) garment.tied[static_cast<size_t>(n)] = cluster.front();
-  garment.pressure = fields.pressure;
-  garment.tension = fields.tension;
-  garment.pressure_error = fields.pressure_error;
-  garment.smallest_stress = element_field(fields, "cauchy_minor");
-  std::vector<result::Level> wanted;
-  for (const scene::Level& level : scene->output().levels) wanted.push_back({level.name, level.height});
   std::vector<LegLevel> found;
-  for (const result::LevelRow& row :
-       result::levels(garment, {scene->output().axis_point, scene->output().axis_direction}, wanted))
+  for (const result::LevelRow& row : session->record().pressure().levels)
     found.push_back({base::mpa_to_kpa(row.pressure_mean), base::mpa_to_kpa(row.laplace), row.smallest_stress,
                      base::mpa_to_kpa(row.pressure_error)});
   return found;
@@ -98,16 +83,14 @@ std::string both_panels(const std::string& parameters) {
 }
 
 Leg run_leg(const std::string& name, const std::string& more) {
-  const base::List list = read_coarse(name, more);
-  base::Timer timer;
   Leg leg;
-  leg.scene = std::make_unique<scene::Scene>(list, Tpetra::getDefaultComm()->getSize(), timer);
-  solve::Simulation simulation(leg.scene->problem(), leg.scene->solver());
-  simulation.observe([&leg](const solve::StepReport& report, const solve::State&) { leg.report = report; });
-  simulation.set_start(leg.scene->start());
-  for (const solve::StageOptions& stage : leg.scene->stages()) simulation.run(stage);
-  leg.state = simulation.state();
-  leg.fields = solve::compute_fields(leg.scene->problem(), leg.state);
+  leg.session = std::make_unique<run::Session>(read_coarse(name, more));
+  leg.scene = &leg.session->scene();
+  leg.session->run();
+  const run::Record& record = leg.session->record();
+  leg.report = record.last();
+  leg.state = record.state();
+  leg.fields = record.fields();
   return leg;
 }
 

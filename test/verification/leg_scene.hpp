@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/scene/scene.hpp"
-#include "toile/solve/fields.hpp"
-#include "toile/solve/simulation.hpp"
+#include "toile/run/session.hpp"
 
 namespace toile::test {
 
@@ -18,7 +16,8 @@ struct LegLevel {
 
 /// A shipped scene of the pantyhose leg after its last stage.
 struct Leg {
-  std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<run::Session> session;
+  const scene::Scene* scene = nullptr;
   solve::State state;
   solve::Fields fields;
   solve::StepReport report;

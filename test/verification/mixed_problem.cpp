@@ -48,6 +48,14 @@ MixedProblem::MixedProblem(const solve::Problem& whole) : problem(whole), mesh_(
   for (const mesh::Block& block : mesh_.blocks) problem.element_rank.emplace_back(static_cast<size_t>(block.size()), 0);
 }
 
+solve::SolveStatistics MixedProblem::run(const scene::Scene& scene, const solve::Simulation::Observer& observer) const {
+  solve::Simulation simulation(problem, scene.solver());
+  simulation.observe(observer);
+  simulation.set_start(scene.start());
+  for (const solve::StageOptions& stage : scene.stages()) simulation.run(stage);
+  return simulation.statistics();
+}
+
 int MixedProblem::triangles() const {
   return mesh_.blocks[1].size();
 }

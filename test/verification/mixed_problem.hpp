@@ -1,6 +1,7 @@
 #pragma once
 
-#include "toile/solve/problem.hpp"
+#include "toile/scene/scene.hpp"
+#include "toile/solve/simulation.hpp"
 
 namespace toile::test {
 
@@ -13,6 +14,8 @@ class MixedProblem {
   MixedProblem& operator=(const MixedProblem&) = delete;
 
   solve::Problem problem;
+  /// Takes it through the stages of the scene that it was made of. No session does: its scene has another mesh.
+  solve::SolveStatistics run(const scene::Scene& scene, const solve::Simulation::Observer& observer) const;
   int triangles() const;  ///< elements with three nodes
 
  private:

@@ -1,12 +1,10 @@
 #include "verification/plane_scene.hpp"
 
-#include <Tpetra_Core.hpp>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "reals.hpp"
-#include "toile/base/timer.hpp"
 
 namespace toile::test {
 namespace {
@@ -115,19 +113,35 @@ solve::Vec3 PlaneRun::reaction(const std::string& support, size_t step) const {
 
 namespace {
 
+/// Keeps what is known of every step.
+class Steps : public run::Observer {
+ public:
+  explicit Steps(PlaneRun& found) : found_(found) {}
+  bool on_every_rank() const override { return true; }
+  void step(const run::Record& record) override {
+    found_.reports.push_back(record.last());
+    found_.states.push_back(record.state());
+  }
+
+ private:
+  PlaneRun& found_;
+};
+
 PlaneRun run_problem(const base::List& list, bool mixed) {
-  PlaneRun run;
-  base::Timer timer;
-  run.scene = std::make_unique<scene::Scene>(list, Tpetra::getDefaultComm()->getSize(), timer);
-  if (mixed) run.mixed = std::make_unique<MixedProblem>(run.scene->problem());
-  solve::Simulation simulation(mixed ? run.mixed->problem : run.scene->problem(), run.scene->solver());
-  simulation.observe([&run](const solve::StepReport& report, const solve::State& state) {
-    run.reports.push_back(report);
-    run.states.push_back(state);
-  });
-  simulation.set_start(run.scene->start());
-  for (const solve::StageOptions& stage : run.scene->stages()) simulation.run(stage);
-  return run;
+  PlaneRun found;
+  found.session = std::make_unique<run::Session>(list);
+  found.scene = &found.session->scene();
+  if (mixed) {
+    found.mixed = std::make_unique<MixedProblem>(found.scene->problem());
+    found.mixed->run(*found.scene, [&found](const solve::StepReport& report, const solve::State& state) {
+      found.reports.push_back(report);
+      found.states.push_back(state);
+    });
+  } else {
+    found.session->add(std::make_unique<Steps>(found));
+    found.session->run();
+  }
+  return found;
 }
 
 }  // namespace

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/scene/scene.hpp"
-#include "toile/solve/simulation.hpp"
+#include "toile/run/session.hpp"
 #include "verification/mixed_problem.hpp"
 
 namespace toile::test {
@@ -39,7 +38,8 @@ Teuchos::ParameterList strip_list(const PlaneCase& row, const PlaneMesh& mesh);
 
 /// A scene and what it reported at each accepted step, on all ranks of MPI's world.
 struct PlaneRun {
-  std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<run::Session> session;
+  const scene::Scene* scene = nullptr;
   std::unique_ptr<MixedProblem> mixed;  ///< what was computed instead of the scene's own problem, or null
   std::vector<solve::StepReport> reports;
   std::vector<solve::State> states;

@@ -1,13 +1,11 @@
 #include "verification/shell_scene.hpp"
 
-#include <Tpetra_Core.hpp>
 #include <cmath>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 
-#include "toile/base/timer.hpp"
+#include "toile/run/session.hpp"
 #include "verification/mixed_problem.hpp"
 
 namespace toile::test {
@@ -41,27 +39,27 @@ size_t PointHistory::step_at(double wanted) const {
 }
 
 PointHistory follow_points(const base::List& list, bool mixed) {
+  run::Session session(list);
+  const scene::Scene& scene = session.scene();
+  const std::vector<scene::Point>& points = scene.output().points;
   PointHistory history;
-  base::Timer timer;
-  const scene::Scene scene(list, Tpetra::getDefaultComm()->getSize(), timer);
-  const mesh::Mesh& mesh = scene.garment().mesh;
-  std::optional<MixedProblem> cut;
-  if (mixed) cut.emplace(scene.problem());
-  solve::Simulation simulation(cut ? cut->problem : scene.problem(), scene.solver());
-  std::vector<int> cluster_of(mesh.nodes());
-  for (size_t c = 0; c < scene.problem().clusters.size(); ++c)
-    for (const int n : scene.problem().clusters[c]) cluster_of[n] = static_cast<int>(c);
-  simulation.observe([&](const solve::StepReport& report, const solve::State& state) {
-    history.reports.push_back(report);
-    history.load.push_back(report.load);
-    for (const scene::Point& point : scene.output().points)
-      history.displacement[point.title].push_back(
-          node_position(scene.problem(), state, cluster_of[point.node], point.node) - mesh.placed[point.node]);
-  });
-  simulation.set_start(scene.start());
-  for (const solve::StageOptions& stage : scene.stages()) simulation.run(stage);
-  history.notes = simulation.notes();
-  history.statistics = simulation.statistics();
+  if (mixed) {
+    history.statistics =
+        MixedProblem(scene.problem()).run(scene, [&](const solve::StepReport& report, const solve::State& state) {
+          history.reports.push_back(report);
+          history.load.push_back(report.load);
+          const std::vector<solve::Vec3> position = solve::node_positions(scene.problem(), state);
+          for (const scene::Point& point : points)
+            history.displacement[point.title].push_back(position[point.node] - scene.garment().mesh.placed[point.node]);
+        });
+    return history;
+  }
+  session.run();
+  history.reports = session.record().reports();
+  for (const solve::StepReport& report : history.reports) history.load.push_back(report.load);
+  for (size_t i = 0; i < points.size(); ++i) history.displacement[points[i].title] = session.record().points()[i];
+  history.notes = session.record().notes();
+  history.statistics = session.record().statistics();
   return history;
 }
 

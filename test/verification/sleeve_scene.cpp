@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Tpetra_Core.hpp>
 #include <cmath>
 
 #include "reals.hpp"
-#include "toile/base/timer.hpp"
 
 namespace toile::test {
 namespace {
@@ -104,16 +102,14 @@ Sleeve settle(const SleeveOptions& options) {
   Sleeve sleeve;
   sleeve.around = options.around;
   sleeve.along = options.along;
-  base::Timer timer;
-  const int ranks = Tpetra::getDefaultComm()->getSize();
-  const base::List list = base::validate(sleeve_list(options), scene::scene_spec(), "sleeve.xml");
-  sleeve.scene = std::make_unique<scene::Scene>(list, ranks, timer);
-  solve::Simulation simulation(sleeve.scene->problem(), sleeve.scene->solver());
-  simulation.observe([&sleeve](const solve::StepReport& r, const solve::State&) { sleeve.report = r; });
-  simulation.set_start(sleeve.scene->start());
-  simulation.run(sleeve.scene->stages().front());
-  sleeve.fields = solve::compute_fields(sleeve.scene->problem(), simulation.state());
-  sleeve.notes = simulation.notes();
+  sleeve.session =
+      std::make_unique<run::Session>(base::validate(sleeve_list(options), scene::scene_spec(), "sleeve.xml"));
+  sleeve.scene = &sleeve.session->scene();
+  sleeve.session->run();
+  const run::Record& record = sleeve.session->record();
+  sleeve.report = record.last();
+  sleeve.fields = record.fields();
+  sleeve.notes = record.notes();
   return sleeve;
 }
 

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "toile/scene/scene.hpp"
-#include "toile/solve/fields.hpp"
-#include "toile/solve/simulation.hpp"
+#include "toile/run/session.hpp"
 
 namespace toile::test {
 
@@ -36,7 +34,8 @@ struct SleeveOptions {
 /// The sleeve after one stage "settle".
 struct Sleeve {
   int around = 0, along = 0;
-  std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<run::Session> session;
+  const scene::Scene* scene = nullptr;
   solve::Fields fields;
   solve::StepReport report;
   std::vector<std::string> notes;

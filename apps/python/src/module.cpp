@@ -6,6 +6,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_Core.hpp>
+#include <cmath>
 #include <iostream>
 #include <limits>
 
@@ -185,7 +186,7 @@ class Follower : public run::Observer {
 
 class PySession {
  public:
-  PySession(const py::object& scene, int threads, bool allow_plugins, bool verbose) {
+  PySession(const py::object& scene, int threads, bool allow_plugins, bool verbose) : verbose_(verbose) {
     initialise();
     run::Options options;
     options.threads = threads;
@@ -203,13 +204,17 @@ class PySession {
   }
 
   void run(const py::object& output, const py::object& progress) {
-    if (std::exchange(ran_, true)) throw py::value_error("a session runs once; make another one of the same scene");
+    if (ran_) throw py::value_error("a session runs once; make another one of the same scene");
     run::OutputOptions options;
     if (!output.is_none()) options.folder = py::module_::import("os").attr("fspath")(output).cast<std::string>();
     run::add_outputs(*session_, options);
+    ran_ = true;
     session_->add(std::make_unique<Follower>(progress));  // last: what it ends is written
-    const py::gil_scoped_release others;
-    session_->run();
+    {
+      const py::gil_scoped_release others;
+      session_->run();
+    }
+    if (!verbose_) warn();
   }
 
   const run::Record& record() const { return session_->record(); }
@@ -229,9 +234,15 @@ class PySession {
   }
 
  private:
+  /// What nobody has printed must not pass unseen.
+  void warn() {
+    for (const std::string& warning : session_->log().warnings())
+      if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+  }
+
   std::unique_ptr<run::Session> session_;
   std::shared_ptr<FieldSet> fields_;
-  bool ran_ = false;
+  bool verbose_, ran_ = false;
 };
 
 template <class F>
@@ -372,8 +383,8 @@ void add_step(py::module_& m) {
       .def_readonly("final", &StepReport::undamped, "Whether this is the equilibrium that ends the stage.")
       .def_readonly("seconds", &StepReport::seconds, "Wall time since the start of the run.")
       .def("__repr__", [](const StepReport& r) {
-        return "<toile.Step " + std::to_string(r.step) + " of stage \"" + r.stage + "\" at load " +
-               std::to_string(r.load) + ">";
+        return "<toile.Step " + std::to_string(r.step) + ": " + std::to_string(std::lround(100.0 * r.parameter)) +
+               " % of stage \"" + r.stage + "\">";
       });
 }
 
@@ -424,7 +435,8 @@ void add_session(py::module_& m) {
            "dictionaries, arrays are lists or NumPy arrays). Raises InputError.")
       .def("run", &PySession::run, py::kw_only(), py::arg("output") = py::none(), py::arg("progress") = py::none(),
            "Takes the garment through every stage. `output`: folder of result files; none are written without. "
-           "`progress` is called with each accepted Step; what it raises ends the run and is raised here. Raises "
+           "`progress` is called with each accepted Step; what it raises ends the run and is raised here. What limits "
+           "the trust in the result is a UserWarning. Raises "
            "InputError, SolveError, CheckError; the session then holds the last accepted step.")
       .def_property_readonly(
           "title", [](const PySession& s) { return s.scene().title(); }, "Title of the scene.")

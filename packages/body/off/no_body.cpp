@@ -1,10 +1,14 @@
+#include "file_kind.hpp"
 #include "toile/base/error.hpp"
-#include "toile/body/body.hpp"
 #include "toile/body/triangle_tree.hpp"
 
 namespace toile::body {
 
-SurfacePtr make_surface(const base::List& list, const Region*, BodyFindings*) {
+SurfacePtr make_from_file(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
+  return make_surface(list, nullptr);
+}
+
+SurfacePtr make_surface(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
   list.fail("type", "this build of Toile has no bodies and no contact (configured with TOILE_ENABLE_BODY=OFF)");
 }
 

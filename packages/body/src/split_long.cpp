@@ -164,23 +164,45 @@ void cut(std::size_t n, int i, int middle, std::vector<char>* long_ones, Triangl
   long_ones->push_back((*long_ones)[n]);
 }
 
+/// How far the middle of an edge between long triangles lies inside a round body that both ends lie on, the largest,
+/// mm: length / 8 times what the normal turns along the edge. The caps of a body have no say in the normals.
+double deepest_chord(const TriangleMesh& mesh, const std::vector<char>& long_ones) {
+  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    if (long_ones[n] == 0) continue;
+    for (const int v : mesh.triangles[n]) normals[v] += area_vector(mesh, mesh.triangles[n]);
+  }
+  for (Vec3& normal : normals) normal.normalize();
+  const Sides sides = sides_of(mesh);
+  const std::set<Key> flat = flat_edges(mesh, sides);
+  double deepest = 0.0;
+  for (const auto& [key, facets] : sides) {
+    if (facets.size() != 2 || long_ones[facets[0].first] == 0 || long_ones[facets[1].first] == 0) continue;
+    if (flat.count(key) > 0) continue;
+    const Vec3 along = mesh.vertices[key.second] - mesh.vertices[key.first];
+    deepest = std::max(deepest, along.dot(normals[key.second] - normals[key.first]) / 8.0);
+  }
+  return deepest;
+}
+
 }  // namespace
 
-void split_long_triangles(TriangleMesh* mesh) {
+double split_long_triangles(TriangleMesh* mesh) {
   std::vector<char> long_ones;
   for (const auto& t : mesh->triangles) {
     const double longest = longest_edge(*mesh, t, {}).length;
     long_ones.push_back(is_long(longest, width(*mesh, t, longest)) ? 1 : 0);
   }
   if (std::count(long_ones.begin(), long_ones.end(), 1) == 0) {
-    return;
+    return 0.0;
   }
+  const double deepest = deepest_chord(*mesh, long_ones);
   while (true) {
     while (flip_flat_edges(long_ones, mesh)) {
     }
     const std::map<Key, int> middles = edges_to_cut(long_ones, *mesh);
     if (middles.empty()) {
-      return;
+      return deepest;
     }
     mesh->vertices.resize(mesh->vertices.size() + middles.size());
     for (const auto& [key, middle] : middles) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -15,15 +16,16 @@ namespace {
 
 using mesh::Vec2;
 
-/// More would take the memory of a large machine before the first step.
-constexpr double most_elements = 1e6;
 /// A node lies where the tangent of an edge turns by more than this.
 constexpr double corner = 0.2;  // radians
 /// Of an edge's length: how near the end of a line must be to lie on it.
 constexpr double on_edge = 1e-4;
 
 base::Spec free_spec() {
-  base::Spec finer("finer", "A place where elements are smaller: \"at edge\" or \"at point\".");
+  base::Spec finer("finer",
+                   "A place where elements are smaller: \"at edge\" or \"at point\". Edges near it get shorter sides "
+                   "as well, and so "
+                   "does what is sewn to them.");
   finer.word("at edge", "Name of an edge or line of this panel.", std::string())
       .reals("at point", "mm", "Place x, y in the pattern.", base::Reals{})
       .real("size", "mm", "Length of the sides of elements there.", base::required, base::Range::positive())
@@ -68,6 +70,36 @@ Fractions line_ends(const Cut& cut, const std::string& name, const pattern::Curv
   return all;
 }
 
+std::vector<mesh::Refinement> refinements_of(const base::List& panel, const Cut& cut) {
+  std::vector<mesh::Refinement> all;
+  const std::map<std::string, const pattern::Curve*> curves = curves_of(cut);
+  for (const base::List& place : finer_places(panel)) {
+    mesh::Refinement finer{{}, place.real("size"), place.real("distance")};
+    if (is_edge(place)) {
+      const pattern::Curve& curve = *curves.at(place.word("at edge"));
+      const int count = std::max(1, static_cast<int>(std::ceil(curve.length() / finer.size)));
+      for (int k = 0; k <= count; ++k) finer.points.push_back(curve.at(static_cast<double>(k) / count));
+    } else {
+      const base::Reals& at = place.reals("at point");
+      if (at.size() != 2) place.fail("at point", "needs two numbers, x and y");
+      finer.points.emplace_back(at[0], at[1]);
+    }
+    all.push_back(std::move(finer));
+  }
+  return all;
+}
+
+/// Length of sides that refinements leave at a point, of the panel's own `size`, mm.
+double size_at(const Vec2& point, double size, const std::vector<mesh::Refinement>& refinements) {
+  double least = size;
+  for (const mesh::Refinement& finer : refinements) {
+    double nearest = finer.distance;
+    for (const Vec2& centre : finer.points) nearest = std::min(nearest, (centre - point).norm());
+    least = std::min(least, finer.size + (size - finer.size) * nearest / finer.distance);
+  }
+  return least;
+}
+
 std::vector<SeededEdge> free_edges(const base::List& panel, const Cut& cut) {
   try {
     pattern::check_lines(cut.panel);
@@ -86,9 +118,14 @@ std::vector<SeededEdge> free_edges(const base::List& panel, const Cut& cut) {
                                 base::hint(place.word("at edge"), valid));
     finer[place.word("at edge")] = place.real("size");
   }
+  const std::vector<mesh::Refinement> refinements = refinements_of(panel, cut);
   std::vector<SeededEdge> all;
   for (const auto& [name, curve] : curves) {
     SeededEdge edge{name, curve->length(), panel.real("element size"), curve->corners(corner), {}};
+    if (!refinements.empty())
+      edge.finer = [line = *curve, size = edge.size, refinements](double at) {
+        return size_at(line.at(at), size, refinements);
+      };
     if (finer.count(name) > 0) edge.size = finer[name];
     const Fractions ends = line_ends(cut, name, *curve);
     edge.kept.insert(edge.kept.end(), ends.begin(), ends.end());
@@ -168,22 +205,6 @@ class Area {
   const std::map<std::string, Fractions>& seeds_;
 };
 
-void add_refinements(const base::List& panel, const Cut& cut, mesh::FreeMeshInput& input) {
-  for (const base::List& place : finer_places(panel)) {
-    mesh::Refinement finer{{}, place.real("size"), place.real("distance")};
-    if (is_edge(place)) {
-      const pattern::Curve& curve = *curves_of(cut).at(place.word("at edge"));
-      const int count = std::max(1, static_cast<int>(std::ceil(curve.length() / finer.size)));
-      for (int k = 0; k <= count; ++k) finer.points.push_back(curve.at(static_cast<double>(k) / count));
-    } else {
-      const base::Reals& at = place.reals("at point");
-      if (at.size() != 2) place.fail("at point", "needs two numbers, x and y");
-      finer.points.emplace_back(at[0], at[1]);
-    }
-    input.refinements.push_back(std::move(finer));
-  }
-}
-
 void check_quality(const base::List& panel, const mesh::PanelMesh& mesh) {
   const mesh::Quality quality = mesh::quality_of(mesh);
   if (quality.smallest_jacobian > 0.0 && quality.smallest_angle >= panel.real("smallest angle")) return;
@@ -211,12 +232,39 @@ void check_number(const base::List& panel, const mesh::FreeMeshInput& input) {
   panel.fail("element size", text.str());
 }
 
+/// Two nodes of the outline at one place: a slit (a ring that is cut open and closed again), which Gmsh does not take.
+void check_slits(const base::List& panel, const Area& area) {
+  const auto edge_of = [&area](int node) {
+    for (const auto& [name, nodes] : area.edges)
+      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) return "\"" + name + "\"";
+    return std::string("the outline");
+  };
+  const std::vector<Vec2>& points = area.input.points;
+  std::vector<int> order;
+  for (const std::vector<int>& loop : area.input.loops) order.insert(order.end(), loop.begin(), loop.end());
+  std::sort(order.begin(), order.end(), [&points](int a, int b) { return points[a].x() < points[b].x(); });
+  const double near = 1e-6 * area.input.size;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t m = k + 1; m < order.size(); ++m) {
+      const Vec2 &a = points[order[k]], &b = points[order[m]];
+      if (b.x() - a.x() > near) break;
+      if ((b - a).norm() > near) continue;
+      const auto [first, second] = std::minmax({edge_of(order[k]), edge_of(order[m])});
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(3) << "\"free\" takes no panel whose edges lie on each other, as "
+           << first << " and " << second << " do near (" << a.x() << ", " << a.y()
+           << ") mm: use \"structured\", or leave a gap between them";
+      panel.fail("mesher", text.str());
+    }
+}
+
 mesh::PanelMesh mesh_area(const base::List& panel, const Cut& cut, const std::map<std::string, Fractions>& seeds) {
   Area area(cut, seeds);
   area.input.size = panel.real("element size");
   area.input.triangles = panel.word("elements") == "triangle";
   check_number(panel, area.input);
-  add_refinements(panel, cut, area.input);
+  check_slits(panel, area);
+  area.input.refinements = refinements_of(panel, cut);
   mesh::FreeMesh made;
   try {
     made = mesh::mesh_freely(area.input);

@@ -11,6 +11,9 @@
 
 namespace toile::garment {
 
+/// Of a panel: more would take the memory of a large machine before the first step.
+constexpr int most_elements = 1000000;
+
 /// One way of meshing a panel.
 struct Mesher {
   base::Spec spec;  ///< its parameters, in the panel's list

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
+#include "graded_seeds.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::garment {
@@ -47,9 +50,10 @@ class Planner {
         add_place(places_[side->edge], side->from);
         add_place(places_[side->edge], side->to);
       }
-    while (spread_places()) {
+    while (spread_places(most_places)) {
     }
     check_dictated();
+    grade();
     return seeds();
   }
 
@@ -62,7 +66,7 @@ class Planner {
   }
 
   /// Carries the places of each seam's sides to the other side; true if there was a new one.
-  bool spread_places() {
+  bool spread_places(std::size_t most) {
     bool is_new = false;
     for (const SeededSeam& seam : seams_)
       for (const bool forth : {true, false}) {
@@ -72,7 +76,7 @@ class Planner {
         for (const double at : places)
           if (at > from.from - same && at < from.to + same)
             is_new = add_place(places_[to.edge], carried(at, from, to, seam.reversed)) || is_new;
-        if (places_[to.edge].size() > most_places)
+        if (places_[to.edge].size() > most)
           throw base::InputError("the seams round edge \"" + edges_[to.edge].name +
                                  "\" carry the ends of parts from edge to edge without end: some part of an edge is "
                                  "sewn to a shifted part of itself");
@@ -109,32 +113,60 @@ class Planner {
     }
   }
 
-  std::vector<Fractions> seeds() {
+  /// [part] A number that parts which are sewn together share.
+  std::vector<std::size_t> sets_of_parts() {
     std::size_t parts = 0;
+    first_part_.clear();
     for (const Fractions& places : places_) {
       first_part_.push_back(parts);
       parts += places.size() - 1;
     }
     std::vector<int> rank(parts, 0);
-    std::vector<std::size_t> parent(parts);
+    std::vector<std::size_t> parent(parts), set(parts);
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     boost::disjoint_sets<int*, std::size_t*> sets(rank.data(), parent.data());
     join_parts(sets);
+    for (std::size_t p = 0; p < parts; ++p) set[p] = sets.find_set(p);
+    return set;
+  }
 
+  /// Divides the parts whose size varies: of those that are sewn together the one that asks for most nodes leads.
+  void grade() {
+    const std::vector<std::size_t> set = sets_of_parts();
+    std::map<std::size_t, std::pair<std::size_t, Fractions>> leader;  // [set] edge and places
+    std::set<std::size_t> dictated;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      for (std::size_t k = 0; k + 1 < places_[e].size(); ++k) {
+        if (!edges_[e].dictated.empty()) dictated.insert(set[part(e, k)]);
+        Fractions graded = graded_places(edges_[e], places_[e][k], places_[e][k + 1]);
+        auto& [edge, places] = leader[set[part(e, k)]];
+        if (graded.size() <= places.size()) continue;
+        edge = e;
+        places = std::move(graded);
+      }
+    for (const auto& [number, lead] : leader)
+      for (const double at : lead.second)
+        if (dictated.count(number) == 0) add_place(places_[lead.first], at);
+    while (spread_places(std::numeric_limits<std::size_t>::max())) {
+    }
+  }
+
+  std::vector<Fractions> seeds() {
+    const std::vector<std::size_t> set = sets_of_parts();
     std::map<std::size_t, int> sides;  // [set]
     for (const bool dictated : {false, true})
       for (std::size_t e = 0; e < edges_.size(); ++e)
         for (std::size_t k = 0; k + 1 < places_[e].size() && edges_[e].dictated.empty() != dictated; ++k) {
-          int& count = sides[sets.find_set(part(e, k))];
-          const double length = (places_[e][k + 1] - places_[e][k]) * edges_[e].length;
-          const int pairs = static_cast<int>(std::ceil(length / (2.0 * edges_[e].size) - 1e-6));
+          int& count = sides[set[part(e, k)]];
+          const double wanted = wanted_pairs(edges_[e], places_[e][k], places_[e][k + 1]);
+          const int pairs = static_cast<int>(std::ceil(wanted - (edges_[e].finer ? 0.02 : 1e-6)));
           count = dictated ? 1 : std::max({count, 2, 2 * pairs});
         }
     std::vector<Fractions> all;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       all.push_back({0.0});
       for (std::size_t k = 0; k + 1 < places_[e].size(); ++k) {
-        const int count = sides[sets.find_set(part(e, k))];
+        const int count = sides[set[part(e, k)]];
         const double from = places_[e][k], to = places_[e][k + 1];
         for (int i = 1; i <= count; ++i) all.back().push_back(from + (to - from) * i / count);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct SeededEdge {
   double size = 1.0;    ///< wanted distance of nodes, mm
   Fractions kept;       ///< where a node must lie: 0, corners, ends of lines, 1
   Fractions dictated;   ///< all of its nodes, if its mesher leaves no choice; else empty
+  /// Wanted distance of nodes (mm) at a relative arc length, where it is less than `size`; empty: nowhere.
+  std::function<double(double)> finer = {};
 };
 
 /// Two parts of edges that get the same nodes.
@@ -28,9 +31,9 @@ struct SeededSeam {
 };
 
 /// [edge] Nodes of all edges. Parts that are sewn together have nodes at equal relative arc lengths of these parts,
-/// through any number of seams; else nodes are evenly spread between those that are kept. Each part between two kept
-/// nodes has an even number of sides, so that quadrilaterals fill a panel. Throws InputError where what two meshers
-/// dictate cannot agree, and where seams ask for more and more nodes.
+/// through any number of seams; else nodes are evenly spread between those that are kept, closer where an edge is to be
+/// finer. Each part between two kept nodes has an even number of sides, so that quadrilaterals fill a panel. Throws
+/// InputError where what two meshers dictate cannot agree, and where seams ask for more and more nodes.
 std::vector<Fractions> plan_seeds(const std::vector<SeededEdge>& edges, const std::vector<SeededSeam>& seams);
 
 }  // namespace toile::garment

@@ -9,7 +9,7 @@ namespace toile::garment {
 namespace {
 
 /// More would take the memory of a large machine before the first step.
-constexpr int most_elements_a_side = 10000, most_elements = 1000000;
+constexpr int most_elements_a_side = 10000;
 
 base::Spec structured_spec() {
   return base::Spec("structured", "Rows of elements between four sides, which are called bottom, right, top and left.")

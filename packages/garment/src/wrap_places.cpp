@@ -71,17 +71,22 @@ void for_each_side(const mesh::PanelMesh& flat, const F& work) {
     }
 }
 
-/// Left and right end of the pattern at the height y of one of its nodes.
-std::pair<double, double> ends_at(const std::vector<std::pair<Vec2, Vec2>>& border, double y) {
+/// Left and right end of the pattern at the height y of one of its nodes. Heights that differ by `same` (mm) are one:
+/// the nodes of a straight hem have round-off.
+std::pair<double, double> ends_at(const std::vector<std::pair<Vec2, Vec2>>& border, double y, double same) {
   double left = std::numeric_limits<double>::infinity(), right = -left;
+  const auto reaches = [&](double x) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+  };
   for (const auto& [a, b] : border) {
     const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
-    if (y < low || y > high) continue;
-    for (const double share :
-         {high > low ? (y - a.y()) / (b.y() - a.y()) : 0.0, high > low ? (y - a.y()) / (b.y() - a.y()) : 1.0}) {
-      const double x = a.x() + share * (b.x() - a.x());
-      left = std::min(left, x);
-      right = std::max(right, x);
+    if (y < low - same || y > high + same) continue;
+    if (high - low > same) {
+      reaches(a.x() + std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b.x() - a.x()));
+    } else {
+      reaches(a.x());
+      reaches(b.x());
     }
   }
   return {left, right};
@@ -143,8 +148,9 @@ WrapPlaces places_by_width(const base::List& list, const mesh::PanelMesh& flat) 
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   const auto [from, to] = wrap_heights(list);
   places.spacing = shortest / sections_per_row * (to - from) / (*high - *low);
+  constexpr double straight = 1e-9;  // of the panel's height
   for (std::size_t n = 0; n < flat.nodes.size(); ++n) {
-    const auto [left, right] = ends_at(border, y[n]);
+    const auto [left, right] = ends_at(border, y[n], straight * (*high - *low));
     places.node[n].width = right - left;
     places.node[n].fraction = right > left ? (flat.nodes[n].x() - left) / (right - left) : 0.5;
   }

@@ -135,27 +135,36 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
   find_ends(axis_);
 }
 
-// By least squares over the elements that share a node with it, in the pattern's plane.
+// By least squares, in the pattern's plane: the tension's over the elements that share a node with it, the pressure's
+// over its own nodes.
 void Cutter::find_neighbours() {
   constexpr double determined = 1e-6;  // smallest over largest eigenvalue: a single row has no slope across
   const mesh::Mesh& mesh = *garment_.mesh;
-  std::vector<std::vector<std::size_t>> around(static_cast<std::size_t>(mesh.nodes())), corners;
+  std::vector<std::vector<std::size_t>> around(static_cast<std::size_t>(mesh.nodes()));
   for (const mesh::Block& block : mesh.blocks)
     for (std::size_t i = 0; i < block.connectivity.size(); ++i) {
-      if (i % static_cast<std::size_t>(block.nodes_per_element) == 0) corners.emplace_back();
-      corners.back().push_back(static_cast<std::size_t>(block.connectivity[i]));
-      around[corners.back().back()].push_back(corners.size() - 1);
+      if (i % static_cast<std::size_t>(block.nodes_per_element) == 0) corners_.emplace_back();
+      corners_.back().push_back(static_cast<std::size_t>(block.connectivity[i]));
+      around[corners_.back().back()].push_back(corners_.size() - 1);
     }
-  for (const std::vector<std::size_t>& nodes : corners) {
+  for (const std::vector<std::size_t>& nodes : corners_) {
     mesh::Vec2 centre = mesh::Vec2::Zero();
     for (const std::size_t n : nodes) centre += mesh.pattern[n] / static_cast<double>(nodes.size());
     centre_.push_back(centre);
     const auto at = [&](std::size_t k) -> const Vec3& { return garment_.position[nodes[k]]; };
     normal_.push_back((at(2) - at(0)).cross(at(nodes.size() - 1) - at(1)));
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    mesh::Vec2 moment = mesh::Vec2::Zero();
+    for (const std::size_t n : nodes) {
+      const mesh::Vec2 off = mesh.pattern[n] - centre;
+      squares += off * off.transpose();
+      moment += garment_.pressure[n] * off;
+    }
+    slope_.push_back(squares.inverse() * moment);
   }
-  for (std::size_t e = 0; e < corners.size(); ++e) {
+  for (std::size_t e = 0; e < corners_.size(); ++e) {
     std::set<std::size_t> others;
-    for (const std::size_t n : corners[e]) others.insert(around[n].begin(), around[n].end());
+    for (const std::size_t n : corners_[e]) others.insert(around[n].begin(), around[n].end());
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
     for (const std::size_t o : others) squares += (centre_[o] - centre_[e]) * (centre_[o] - centre_[e]).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(squares);
@@ -172,6 +181,25 @@ void Cutter::find_neighbours() {
 double Cutter::tension_across(std::size_t element, const Vec3& axis) const {
   const Vec3 along = axis.cross(normal_[element]).normalized();
   return along.dot(garment_.tension[element] * along);
+}
+
+double Cutter::missed_between_rows(std::size_t element, const mesh::Vec2& place, double pressure,
+                                   const std::vector<double>& above) const {
+  std::array<double, 2> largest{};  // below, above
+  std::array<bool, 2> known{};
+  for (const Neighbour& other : neighbours_[element]) {
+    double height = 0.0, mean = 0.0;
+    for (const std::size_t n : corners_[other.element]) {
+      height += above[n];
+      mean += garment_.pressure[n] / static_cast<double>(corners_[other.element].size());
+    }
+    const std::size_t side = height > 0.0 ? 1 : 0;
+    const double foretold = mean + slope_[other.element].dot(place - centre_[other.element]);
+    largest[side] = std::max(largest[side], std::abs(foretold - pressure));
+    known[side] = true;
+  }
+  const double nearer = known[0] && known[1] ? std::min(largest[0], largest[1]) : (known[0] ? largest[0] : largest[1]);
+  return 0.75 * nearer;
 }
 
 AxisPlace Cutter::place(double height) const {
@@ -238,7 +266,9 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   const mesh::Vec2 first = add_point(segment, 0, corner[alone], corner[(alone + 1) % 3], above);
   const mesh::Vec2 second = add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
   const auto e = static_cast<std::size_t>(segment.element);
-  const mesh::Vec2 off = 0.5 * (first + second) - centre_[e];
+  const mesh::Vec2 middle = 0.5 * (first + second), off = middle - centre_[e];
+  const double missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
+  for (double& error : segment.error) error += missed;
   const Vec3 tangent = segment.step().normalized();  // zero for a point
   segment.tension = tangent.dot(garment_.tension[e] * tangent);
   const double here = tension_across(e, axis);

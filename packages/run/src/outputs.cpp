@@ -22,6 +22,7 @@ namespace toile::run {
   OUTPUT(torques)             \
   OUTPUT(pressure)            \
   OUTPUT(field_warnings)      \
+  OUTPUT(crossed_planes)      \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
   OUTPUT(checks)

@@ -9,7 +9,7 @@
 namespace toile::solve {
 
 Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held& held, const Drive& drive,
-                         const SolverOptions& options, RCP<const Comm> comm)
+                         const SolverOptions& options, RCP<const Comm> comm, std::unique_ptr<LinearSolver> linear)
     : problem_(problem),
       options_(options),
       drive_(drive),
@@ -19,7 +19,7 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held&
       projected_(layout_.contact ? rcp(new Matrix(graph_)) : tangent_),
       projection_(layout_, *graph_),
       elements_(problem, layout_, *graph_),
-      linear_(projected_, options.linear),
+      linear_(make_linear_solver(projected_, options.linear, std::move(linear))),
       start_(start) {
   tangent_->fillComplete(layout_.dof_map, layout_.dof_map);
   if (layout_.contact) projected_->fillComplete(layout_.dof_map, layout_.dof_map);
@@ -354,7 +354,7 @@ void Equilibrium::linearise(const Vector& z, double s) {
     projection_.project(*tangent_, std::abs(mean_diagonal_), *projected_);
   }
   const bool fresh = want_fresh_ || !seek_minimum_;
-  linear_.update(fresh);
+  linear_->update(fresh);
   if (fresh) unshifted_pivots_ = -1;
   factorise_positive();
   want_fresh_ = false;
@@ -365,9 +365,9 @@ void Equilibrium::linearise(const Vector& z, double s) {
 // starts small: a tube of even fabric that slides round a body along itself changes its energy by its discretisation
 // error only, and a larger shift lets it creep.
 void Equilibrium::factorise_positive() {
-  if (!linear_.is_fresh() && !linear_.failed()) return;  // a kept factorisation
-  const auto indefinite = [this] { return linear_.failed() || linear_.negative_pivots() > 0; };
-  unshifted_pivots_ = linear_.failed() ? -1 : linear_.negative_pivots();
+  if (!linear_->is_fresh() && !linear_->failed()) return;  // a kept factorisation
+  const auto indefinite = [this] { return linear_->failed() || linear_->negative_pivots().value_or(0) > 0; };
+  unshifted_pivots_ = linear_->failed() ? -1 : linear_->negative_pivots().value_or(-1);
   if (!indefinite() || !seek_minimum_) return;
   double* values = projected_->getLocalMatrixHost().values.data();
   const double least = 1e-8 * std::abs(mean_diagonal_) / mean_mass_;
@@ -375,7 +375,7 @@ void Equilibrium::factorise_positive() {
   for (double shift = std::max(least, 0.1 * last_shift_); indefinite() && shift < 1e12 * least; shift *= 10.0) {
     add_shift(shift - added, values);
     added = last_shift_ = shift;
-    linear_.update(true);
+    linear_->update(true);
   }
 }
 
@@ -398,11 +398,11 @@ bool Equilibrium::solve(const Vector& b, Vector& dz) {
   }
   // An ascent shows a tangent that is not positive definite, which a kept factorisation cannot tell.
   const auto descends = [&] { return rhs.dot(*dx) > k * normal_step.dot(normal_step); };
-  if (!linear_.solve(rhs, *dx) || (!linear_.is_fresh() && !descends())) {
-    if (linear_.is_fresh()) return false;
-    linear_.update(true);
+  if (!linear_->solve(rhs, *dx) || (!linear_->is_fresh() && !descends())) {
+    if (linear_->is_fresh()) return false;
+    linear_->update(true);
     factorise_positive();
-    if (!linear_.solve(rhs, *dx)) return false;
+    if (!linear_->solve(rhs, *dx)) return false;
   }
   if (!layout_.contact) return true;
   Vector force(layout_.dof_map);

@@ -32,8 +32,9 @@ struct Imbalance {
 /// components of the clusters' positions, one contact multiplier per cluster) and of the stage's parameter s.
 class Equilibrium {
  public:
+  /// `linear`: of a stage before, which serves again if the graph is the same; null: there is none.
   Equilibrium(const Problem& problem, const State& start, const Held& held, const Drive& drive,
-              const SolverOptions& options, RCP<const Comm> comm);
+              const SolverOptions& options, RCP<const Comm> comm, std::unique_ptr<LinearSolver> linear = nullptr);
 
   const RCP<const Map>& map() const { return layout_.state_map; }
   RCP<Vector> start_vector() const { return vector_of(start_); }
@@ -77,7 +78,9 @@ class Equilibrium {
   int unshifted_negative_pivots() const { return unshifted_pivots_; }
   /// Elements of all ranks outside the calibrated range of their fabric, at the last residual.
   int extrapolated() const { return extrapolated_; }
-  const LinearSolver& linear() const { return linear_; }
+  const LinearSolver& linear() const { return *linear_; }
+  /// For the equations of the next stage; these ones solve no more.
+  std::unique_ptr<LinearSolver> give_linear() { return std::move(linear_); }
   const Layout& layout() const { return layout_; }
   /// What follows the iterations, or null.
   void set_watch(Watch* watch) { watch_ = watch; }
@@ -164,7 +167,7 @@ class Equilibrium {
   RCP<Matrix> projected_;  ///< on the surface in contact: what is factorised
   ContactProjection projection_;
   ElementAssembly elements_;
-  LinearSolver linear_;
+  std::unique_ptr<LinearSolver> linear_;
   std::vector<std::array<std::array<std::int64_t, 3>, 3>> diagonal_;  ///< [owned cluster] places in the tangent or -1
   std::vector<double> cluster_mass_;                                  ///< [local cluster] mm^2
 

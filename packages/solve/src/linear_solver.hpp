@@ -1,55 +1,52 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "toile/solve/options.hpp"
 #include "types.hpp"
 
 namespace toile::solve {
 
-/// Sparse LDLt factorisation of a symmetric distributed matrix by MUMPS.
-class Factorisation {
- public:
-  explicit Factorisation(const Matrix& matrix);
-  ~Factorisation();
-  Factorisation(const Factorisation&) = delete;
-  Factorisation& operator=(const Factorisation&) = delete;
-
-  /// Factorises the matrix's present values. Returns false if MUMPS could not (singular to its eyes).
-  bool factorise(const Matrix& matrix);
-  int negative_pivots() const;
-  /// x = A^-1 b; both on the matrix's row map.
-  void solve(const MultiVector& b, MultiVector& x) const;
-
- private:
-  struct Data;
-  std::unique_ptr<Data> data_;
-};
-
-/// Solves with the tangent: Belos, preconditioned by a factorisation that is kept over several tangents.
+/// Solves with the tangent, a symmetric distributed matrix whose values change and whose graph does not.
 class LinearSolver {
  public:
-  LinearSolver(RCP<const Matrix> matrix, const LinearOptions& options);
-  ~LinearSolver();
+  virtual ~LinearSolver() = default;
 
-  /// The matrix has new values. `fresh`: factorise them now; otherwise the kept factorisation serves until it needs
-  /// more than the allowed number of iterations.
-  void update(bool fresh);
-  /// Returns false if the kept factorisation does not serve any more: update(true) and try again.
-  bool solve(const Vector& b, Vector& x);
+  /// Solves with this matrix from now on, of which nothing is known but its graph: what the graph alone decides (the
+  /// order of elimination) is kept, and the counts begin again. False: its graph is another one. Collective.
+  virtual bool take(const RCP<const Matrix>& matrix) = 0;
 
-  bool is_fresh() const;
-  bool failed() const;  ///< the last factorisation did
-  /// Of the last factorisation; the tangent's own only if it is fresh.
-  int negative_pivots() const;
-  int iterations() const;      ///< Belos iterations so far
-  int factorisations() const;  ///< so far
+  /// The matrix has new values. `fresh`: what is kept of earlier ones (a factorisation) must be made anew from them.
+  virtual void update(bool fresh) = 0;
+  /// x = A^-1 b. False: no solution; where something older than the matrix's values was used, update(true) may help.
+  virtual bool solve(const Vector& b, Vector& x) = 0;
 
- private:
-  bool iterate(const Vector& b, Vector& x);
-  struct Data;
-  std::unique_ptr<Data> data_;
+  /// Nothing older than the matrix's values is in use.
+  virtual bool is_fresh() const = 0;
+  /// The last update left nothing to solve with: the matrix is singular.
+  virtual bool failed() const = 0;
+  /// Of the values at the last fresh update; none: this kind does not tell the inertia.
+  virtual std::optional<int> negative_pivots() const { return std::nullopt; }
+
+  virtual int iterations() const { return 0; }      ///< so far
+  virtual int factorisations() const { return 0; }  ///< so far
 };
+
+/// A kind of solver that a scene may name.
+struct LinearSolverKind {
+  std::string name;
+  std::string text;  ///< for the input reference
+  std::unique_ptr<LinearSolver> (*make)(const RCP<const Matrix>& matrix, const LinearOptions& options);
+};
+
+/// All of them, the default first; a new one is a source of its own and its name in linear_solver.cpp.
+const std::vector<LinearSolverKind>& linear_solvers();
+
+/// The one that the options name: `previous`, made with the same options, if it takes the matrix. Collective.
+std::unique_ptr<LinearSolver> make_linear_solver(const RCP<const Matrix>& matrix, const LinearOptions& options,
+                                                 std::unique_ptr<LinearSolver> previous);
 
 }  // namespace toile::solve

@@ -107,7 +107,8 @@ void Simulation::Data::assemble(const State& from, const std::vector<NullMotion>
     pins.push_back(where() + "nothing resists a " + motion.name + "; one component of one node is held against it");
   }
   notes.set_pins(pins);
-  equilibrium = std::make_shared<Equilibrium>(problem, from, held, drive, options, comm);
+  std::unique_ptr<LinearSolver> linear = equilibrium == nullptr ? nullptr : equilibrium->give_linear();
+  equilibrium = std::make_shared<Equilibrium>(problem, from, held, drive, options, comm, std::move(linear));
   equilibrium->set_watch(&watch);
   z = equilibrium->start_vector();
   critical.start(z);

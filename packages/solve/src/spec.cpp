@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "linear_solver_texts.hpp"
 #include "read.hpp"
 #include "toile/solve/stage_kind.hpp"
 
@@ -31,11 +32,14 @@ std::vector<StageOptions> read_stages(const List& list) {
 }
 
 Spec solver_spec() {
+  std::vector<std::string> names;
+  std::string text;
+  for (const auto& [name, what] : linear_solver_texts()) {
+    text += (text.empty() ? "" : "; ") + name + ": " + what;
+    names.push_back(name);
+  }
   return Spec("Solver", "How the equations are solved; the defaults suit most scenes.")
-      .choice("linear solver",
-              "cg or gmres: iteration (Belos) preconditioned by a kept sparse factorisation; direct: factorisation of "
-              "every tangent.",
-              {"cg", "gmres", "direct"}, std::string("cg"))
+      .choice("linear solver", text + ".", names, names.front())
       .real("linear tolerance", "", "Relative residual of the linear iteration.", 1e-10, {0.0, 1.0, true, true})
       .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
       .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})

@@ -39,8 +39,9 @@ Import import_body(const std::string& file, const ImportOptions& options);
 /// Cuts triangles of CAD programs (more than ten times as long as wide, or more than four times and 100 mm) until they
 /// are four times as long, so that there are vertices all along them: on the edges at which flat faces meet, which lie
 /// on the round body that the faces are chords of. The faces get no vertices inside: their diagonals are laid across.
-/// No edge shorter than 15 mm is cut; the surface stays what it is.
-void split_long_triangles(TriangleMesh* mesh);
+/// No edge shorter than 15 mm is cut; the surface stays what it is. Returns how far the middle of an edge lies inside
+/// the round body at most, mm: 0 where the strips run straight, more where their ends are turned against each other.
+double split_long_triangles(TriangleMesh* mesh);
 
 /// Triangles that meet the region; with a seed, the connected piece nearest to it and what continues that piece within
 /// the margin. Unused vertices are dropped. May be empty.

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "toile/body/body.hpp"
+#include "file_kind.hpp"
 
 namespace toile::body {
 namespace {
@@ -8,27 +8,6 @@ namespace {
 using base::Range;
 using base::Reals;
 using base::Spec;
-
-Spec& add_span(Spec& spec, double bottom, double top) {
-  spec.real("bottom", "mm", "Height z where pictures of the endless body begin; it does not bound the contact.",
-            bottom);
-  return spec.real("top", "mm", "Height z where pictures of the endless body end; must be above 'bottom'.", top);
-}
-
-Spec leg_spec() {
-  Spec spec("leg", "Leg with circular sections about z, through four girths; its slope is zero at the ankle.");
-  struct Level {
-    const char* name;
-    double girth, height;
-  };
-  for (const Level& level : {Level{"ankle", 205.0, 114.0}, Level{"calf", 340.0, 334.0}, Level{"knee", 310.0, 423.0},
-                             Level{"thigh", 520.0, 728.0}}) {
-    const std::string name = level.name;
-    spec.real(name + " girth", "mm", "Girth at the level of the " + name + ".", level.girth, Range::positive());
-    spec.real(name + " level", "mm", "Height z of that level; levels increase from ankle to thigh.", level.height);
-  }
-  return add_span(spec, 80.0, 760.0);
-}
 
 Spec file_spec() {
   Spec spec("file", "Triangles or quads from an OBJ, STL, PLY or OFF file, made smooth.");
@@ -83,33 +62,8 @@ Spec file_spec() {
 
 }  // namespace
 
-base::Spec body_spec() {
-  Spec cylinder("cylinder", "Circular cylinder about z.");
-  cylinder.real("radius", "mm", "Radius.", base::required, Range::positive());
-  Spec elliptic("elliptic cylinder", "Elliptic cylinder about z.");
-  elliptic.real("a", "mm", "Semi-axis along x.", base::required, Range::positive());
-  elliptic.real("b", "mm", "Semi-axis along y.", base::required, Range::positive());
-  Spec cone("cone", "Cone about z: its radius is 'radius' + 'slope' z.");
-  cone.real("radius", "mm", "Radius at z = 0.", base::required, Range::positive());
-  cone.real("slope", "", "Increase of the radius per height.", base::required);
-  Spec cosine("cosine", "Body of revolution about z: its radius is 'radius' + 'amplitude' cos(2 pi z / 'period').");
-  cosine.real("radius", "mm", "Mean radius.", base::required, Range::positive());
-  cosine.real("amplitude", "mm", "Half the difference of the largest and the smallest radius.", base::required);
-  cosine.real("period", "mm", "Distance from one crest to the next.", base::required, Range::positive());
-  for (Spec* spec : {&cylinder, &elliptic, &cone, &cosine}) {
-    add_span(*spec, 0.0, 200.0);
-  }
-  Spec sphere("sphere", "Sphere about the origin.");
-  sphere.real("radius", "mm", "Radius.", base::required, Range::positive());
-  Spec spheroid("ellipsoid", "Ellipsoid of revolution about z, with its centre in the origin.");
-  spheroid.real("radius", "mm", "Semi-axis along x and y.", base::required, Range::positive());
-  spheroid.real("half height", "mm", "Semi-axis along z.", base::required, Range::positive());
-  Spec profile("profile", "Body of revolution about z through given radii, a cubic spline with continuous curvature.");
-  profile.reals("levels", "mm", "Heights z, increasing, two or more.", base::required);
-  profile.reals("radii", "mm", "Radius at each level.", base::required, Range::positive());
-  Spec spec("Body", "The rigid body that wears the garment.");
-  return spec.variant("type", "Kind of body.",
-                      {leg_spec(), cylinder, elliptic, cone, spheroid, sphere, cosine, profile, file_spec()});
+Kind file_kind() {
+  return {file_spec(), make_from_file};
 }
 
 }  // namespace toile::body
