@@ -21,7 +21,7 @@ double ArcWatch::turn(const Vector& step) const {
 
 bool ArcWatch::accepts(const Vector& z) {
   constexpr double sharp = 60.0;     // degrees
-  constexpr double above = 16.0;     // times the smallest step: LOCA ends the path at a step that is cut below it
+  constexpr double above = 16.0;     // times the smallest step: the path ends at one that is cut below it
   constexpr double shortest = 0.05;  // of the first step: a bend that this does not round off is none
   off_ = 0.0;
   if (last_.is_null() || change_.is_null()) return true;

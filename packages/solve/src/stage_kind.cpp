@@ -2,15 +2,22 @@
 
 #include <sstream>
 
-#include "stage_load.hpp"
-#include "stage_settle.hpp"
-#include "stage_sew.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::solve {
 
+// Every kind, in the order in which they are described: each is a function NAME_stage() in a source of its own.
+#define TOILE_STAGES(STAGE) \
+  STAGE(sew)                \
+  STAGE(load)               \
+  STAGE(settle)
+
+#define TOILE_DECLARE_STAGE(name) const StageKind& name##_stage();
+TOILE_STAGES(TOILE_DECLARE_STAGE)
+
 const std::vector<const StageKind*>& stage_kinds() {
-  static const std::vector<const StageKind*> kinds = {&sew_stage(), &load_stage(), &settle_stage()};
+#define TOILE_STAGE(name) &name##_stage(),
+  static const std::vector<const StageKind*> kinds = {TOILE_STAGES(TOILE_STAGE)};
   return kinds;
 }
 

@@ -1,6 +1,5 @@
-#include "stage_settle.hpp"
-
 #include "stage_parameters.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 

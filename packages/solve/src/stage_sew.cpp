@@ -1,8 +1,7 @@
-#include "stage_sew.hpp"
-
 #include <sstream>
 
 #include "stage_parameters.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 

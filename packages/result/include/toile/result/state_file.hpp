@@ -18,8 +18,8 @@ struct StateData {
 /// Throws InputError if it cannot be written; the older file is then untouched.
 void write_state(const std::string& path, const StateData& state);
 
-/// The same arrays, bit for bit. Throws InputError if the file is missing, cut off, damaged in any byte of the state, or
-/// not a state of this version of the program.
+/// The same arrays, bit for bit. Throws InputError if the file is missing, cut off, damaged in any byte of the state,
+/// or not a state of this version of the program.
 StateData read_state(const std::string& path);
 
 }  // namespace toile::result

@@ -10,9 +10,10 @@ namespace toile::scene {
 
 /// What a scene is, as far as it decides the result of a run: by which a run that goes on knows that it is the same.
 struct Fingerprint {
-  std::map<std::string, std::string> values;           ///< [path] of the input, defaults included
-  std::vector<std::string> stages;                     ///< their names, in their order
-  std::map<std::string, std::vector<double>> figures;  ///< of what was built: sizes, sums, distances of some nodes to the body
+  std::map<std::string, std::string> values;  ///< [path] of the input, defaults included
+  std::vector<std::string> stages;            ///< their names, in their order
+  std::map<std::string, std::vector<double>>
+      figures;  ///< of what was built: sizes, sums, distances of some nodes to the body
 };
 
 /// `list` was validated against `spec`, and the scene built from it. The same on every rank.
