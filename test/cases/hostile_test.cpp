@@ -176,6 +176,10 @@ TEST_F(Hostile, FullDisk) {
   EXPECT_THAT(state.integers.at("statistics: steps").front(), AnyOf(last.steps, last.steps - 1));
   EXPECT_EQ(state.reals.at("state: position").size(), 3u * 66u);
   EXPECT_THAT(last.position[2], Each(DoubleNear(0.0, 1e-9)));
+  // With room again it goes on to its end, as it says.
+  EXPECT_THAT(later.err, HasSubstr("toile run scene.xml --output out --restart"));
+  EXPECT_EQ(toile("run scene.xml --output out --restart").status, 0);
+  EXPECT_GT(ExodusStep(path("out/results.exo")).steps, 20);
 }
 
 // Who may not read a folder is told so with status 2. (The superuser may read all.)
