@@ -47,7 +47,8 @@ ParameterList halves(const std::string& first, const std::string& second) {
   return list;
 }
 
-// The report of a usual start has a line for each panel, each seam, what is inside the body and the pressure; stretches
+// The report of a usual start has a line for each panel, each seam, what is inside the body, the pressure and the mesh;
+// stretches
 // are those of the placed panel: 110 mm over 100, 0.9 x 2 pi 60 mm over 200, less by the chords
 // of twelve elements, and 2 pi 60 mm over 200 once closed, 1.885.
 TEST(StartReport, TellsStretchesAndGaps) {
@@ -57,7 +58,8 @@ TEST(StartReport, TellsStretchesAndGaps) {
                           "closed, 1.88",
                           "seam \"side\": tube.left to tube.right, 37.1 mm apart on average, at most 37.1 (from the "
                           "other end 80.4)",
-                          "inside the body: no node", HasSubstr("pressure of the fabric as it is placed")));
+                          "inside the body: no node", HasSubstr("pressure of the fabric as it is placed"),
+                          AllOf(HasSubstr("mesh: "), HasSubstr("quadrilaterals; smallest angle 90 degrees"))));
   EXPECT_THAT(report.warnings, IsEmpty());
   EXPECT_THAT(report.errors, IsEmpty());
 }

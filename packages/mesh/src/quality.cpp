@@ -7,8 +7,8 @@
 namespace toile::mesh {
 namespace {
 
-void add_element(const PanelMesh& panel, const int* nodes, int sides, Quality& quality) {
-  const auto at = [&](int k) -> const Vec2& { return panel.nodes[static_cast<std::size_t>(nodes[k % sides])]; };
+void add_element(const std::vector<Vec2>& pattern, const int* nodes, int sides, Quality& quality) {
+  const auto at = [&](int k) -> const Vec2& { return pattern[static_cast<std::size_t>(nodes[k % sides])]; };
   double least = std::numeric_limits<double>::infinity(), most = -least, shortest = least, longest = 0.0;
   double smallest_angle = 360.0;
   Vec2 centre = Vec2::Zero();
@@ -32,13 +32,24 @@ void add_element(const PanelMesh& panel, const int* nodes, int sides, Quality& q
   quality.largest_aspect = std::max(quality.largest_aspect, longest / shortest);
 }
 
+void add_elements(const std::vector<Vec2>& pattern, const std::vector<int>& connectivity, int sides, Quality& quality) {
+  for (std::size_t k = 0; k < connectivity.size(); k += static_cast<std::size_t>(sides))
+    add_element(pattern, &connectivity[k], sides, quality);
+}
+
 }  // namespace
 
 Quality quality_of(const PanelMesh& panel) {
   Quality quality;
   for (const PanelPart& part : panel.parts)
-    for (std::size_t k = 0; k < part.connectivity.size(); k += static_cast<std::size_t>(part.nodes_per_element))
-      add_element(panel, &part.connectivity[k], part.nodes_per_element, quality);
+    add_elements(panel.nodes, part.connectivity, part.nodes_per_element, quality);
+  return quality;
+}
+
+Quality quality_of(const Mesh& mesh, int panel) {
+  Quality quality;
+  for (const Block& block : mesh.blocks)
+    if (block.panel == panel) add_elements(mesh.pattern, block.connectivity, block.nodes_per_element, quality);
   return quality;
 }
 

@@ -9,6 +9,7 @@
 #include "start_text.hpp"
 #include "start_warnings.hpp"
 #include "toile/base/units.hpp"
+#include "toile/mesh/quality.hpp"
 
 namespace toile::scene {
 
@@ -39,6 +40,33 @@ std::string line(const garment::Seam& seam, const SeamStart& start) {
   return "seam \"" + seam.name + "\": " + seam.first + " to " + seam.second + ", " + short_number(start.mean_gap) +
          " mm apart on average, at most " + short_number(start.largest_gap) + " (from the other end " +
          short_number(start.other_gap) + ")";
+}
+
+/// Size of the mesh, and its worst elements in the flat pattern.
+std::string mesh_line(const mesh::Mesh& mesh) {
+  int triangles = 0;
+  for (const mesh::Block& block : mesh.blocks)
+    if (block.nodes_per_element == 3) triangles += block.size();
+  const int quadrilaterals = mesh.elements() - triangles;
+  std::string elements;
+  if (quadrilaterals > 0) elements = std::to_string(quadrilaterals) + " quadrilaterals";
+  if (triangles > 0) elements += (elements.empty() ? "" : ", ") + std::to_string(triangles) + " triangles";
+  mesh::Quality worst;
+  std::string panel;
+  double aspect = 1.0, jacobian = 1.0;
+  for (size_t p = 0; p < mesh.panels.size(); ++p) {
+    const mesh::Quality quality = quality_of(mesh, static_cast<int>(p));
+    aspect = std::max(aspect, quality.largest_aspect);
+    jacobian = std::min(jacobian, quality.smallest_jacobian);
+    if (!panel.empty() && quality.smallest_angle >= worst.smallest_angle) continue;
+    worst = quality;
+    panel = mesh.panels[p].name;
+  }
+  return "mesh: " + std::to_string(mesh.nodes()) + " nodes, " + elements + "; smallest angle " +
+         short_number(worst.smallest_angle) + " degrees, in panel \"" + panel + "\" at (" +
+         short_number(worst.worst.x()) + ", " + short_number(worst.worst.y()) +
+         ") mm of its pattern; longest side of an element at most " + short_number(aspect) +
+         " times its shortest, smallest Jacobian at least " + short_number(jacobian) + " of the largest";
 }
 
 /// What the placed garment does to the body: depth and estimated pressure.
@@ -79,6 +107,7 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   for (size_t s = 0; s < seams.size() && report.errors.empty(); ++s)
     append(report.warnings, seam_warnings(scene.garment().seams[s], seams[s]));
   if (scene.surface() != nullptr) append(report.lines, body_lines(panels, open));
+  report.lines.push_back(mesh_line(scene.garment().mesh));
   append(report.warnings, forgotten_seam_warnings(scene));
   if (report.errors.empty()) append(report.warnings, held_seam_warnings(scene));
   append(report.warnings, scene.body().warnings);

@@ -16,5 +16,7 @@ struct Quality {
 };
 
 Quality quality_of(const PanelMesh& panel);
+/// Of a panel of the garment, by its number.
+Quality quality_of(const Mesh& mesh, int panel);
 
 }  // namespace toile::mesh
