@@ -2,7 +2,7 @@
 #
 # One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
 # under mpirun, and its main initialises MPI. Target tests_<label> builds what has a label; "sanitized" marks what the
-# sanitizer build runs beside "fast" and "solve".
+# sanitizer build runs: every package that handles data is in it, mathematics alone is not.
 # Tests run side by side: ranks must not be bound to the same cores, nor spin while they wait.
 set(TOILE_MPIRUN ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
 

@@ -2,13 +2,26 @@
 
 namespace toile::body {
 
-Kind leg_kind(), cylinder_kind(), elliptic_cylinder_kind(), cone_kind(), ellipsoid_kind(), sphere_kind(), cosine_kind(),
-    profile_kind(), file_kind();
+// Every kind of body: each is a function NAME_kind() in a source of its own.
+#define TOILE_BODY_KINDS(KIND) \
+  KIND(leg)                    \
+  KIND(cylinder)               \
+  KIND(elliptic_cylinder)      \
+  KIND(cone)                   \
+  KIND(ellipsoid)              \
+  KIND(sphere)                 \
+  KIND(cosine)                 \
+  KIND(profile)                \
+  KIND(file)
+
+#define TOILE_DECLARE(name) Kind name##_kind();
+TOILE_BODY_KINDS(TOILE_DECLARE)
+#undef TOILE_DECLARE
 
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{leg_kind(),    cylinder_kind(),  elliptic_cylinder_kind(),
-                                     cone_kind(),   ellipsoid_kind(), sphere_kind(),
-                                     cosine_kind(), profile_kind(),   file_kind()};
+#define TOILE_CALL(name) name##_kind(),
+  static const std::vector<Kind> all{TOILE_BODY_KINDS(TOILE_CALL)};
+#undef TOILE_CALL
   return all;
 }
 

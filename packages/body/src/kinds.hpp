@@ -13,7 +13,7 @@ struct Kind {
   SurfacePtr (*make)(const base::List& list, const Region* region, BodyFindings* findings);
 };
 
-/// All kinds; a new one is a source of its own and its name in kinds.cpp.
+/// All kinds; a new one is a source of its own and its line in kinds.cpp.
 const std::vector<Kind>& kinds();
 
 }  // namespace toile::body

@@ -6,10 +6,20 @@
 
 namespace toile::solve {
 
-LinearSolverKind cg_solver(), gmres_solver(), direct_solver();
+// Every kind of solver, the default first: each is a function NAME_solver() in a source of its own.
+#define TOILE_LINEAR_SOLVERS(SOLVER) \
+  SOLVER(cg)                         \
+  SOLVER(gmres)                      \
+  SOLVER(direct)
+
+#define TOILE_DECLARE(name) LinearSolverKind name##_solver();
+TOILE_LINEAR_SOLVERS(TOILE_DECLARE)
+#undef TOILE_DECLARE
 
 const std::vector<LinearSolverKind>& linear_solvers() {
-  static const std::vector<LinearSolverKind> all{cg_solver(), gmres_solver(), direct_solver()};
+#define TOILE_CALL(name) name##_solver(),
+  static const std::vector<LinearSolverKind> all{TOILE_LINEAR_SOLVERS(TOILE_CALL)};
+#undef TOILE_CALL
   return all;
 }
 

@@ -42,7 +42,7 @@ struct LinearSolverKind {
   std::unique_ptr<LinearSolver> (*make)(const RCP<const Matrix>& matrix, const LinearOptions& options);
 };
 
-/// All of them, the default first; a new one is a source of its own and its name in linear_solver.cpp.
+/// All of them, the default first; a new one is a source of its own and its line in linear_solver.cpp.
 const std::vector<LinearSolverKind>& linear_solvers();
 
 /// The one that the options name: `previous`, made with the same options, if it takes the matrix. Collective.
