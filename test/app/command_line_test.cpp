@@ -58,7 +58,7 @@ TEST_F(CommandLine, SuggestsAnOption) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,
               "toile: unknown option of \"toile run\" \"--threds\"; did you mean \"--threads\"? "
-              "Valid here: --help --output --threads --heartbeat --quiet --allow-plugins\n");
+              "Valid here: --help --output --threads --heartbeat --quiet --restart --allow-plugins\n");
   }
 }
 

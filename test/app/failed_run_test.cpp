@@ -27,12 +27,12 @@ TEST_F(FailedRun, LeavesTheLastConvergedState) {
   const int steps = last.steps;
   EXPECT_GT(steps, 1);
   const result::StateData state = result::read_state(path("out/restart.h5"));
-  EXPECT_EQ(state.integers.at("step"), std::vector<int>{steps});
-  EXPECT_EQ(state.metadata.at("stage"), "pull");
-  const std::vector<double>& position = state.reals.at("position");
+  EXPECT_EQ(state.integers.at("statistics: steps"), std::vector<int>{steps});
+  EXPECT_EQ(state.metadata.at("stage name"), "pull");
+  const std::vector<double>& position = state.reals.at("state: position");
   ASSERT_EQ(position.size(), 3u * 66u);
   for (size_t i = 0; i < position.size(); ++i) EXPECT_NEAR(position[i], last.position[i % 3][i / 3], 1e-12) << i;
-  const double load = state.reals.at("seam_load_parameter")[1];
+  const double load = state.reals.at("state: load")[0];
   EXPECT_GT(load, 0.25);
   EXPECT_LT(load, 1.0);
   EXPECT_THAT(run.err, HasSubstr("The last converged state, step " + std::to_string(steps) + ","));
@@ -101,9 +101,9 @@ TEST_F(FailedRun, LeavesTheLastStateOfSewing) {
   const int steps = ExodusStep(path("out/results.exo")).steps;
   EXPECT_GT(steps, 1);
   const result::StateData state = result::read_state(path("out/restart.h5"));
-  EXPECT_EQ(state.integers.at("step"), std::vector<int>{steps});
-  EXPECT_GT(state.reals.at("seam_load_parameter")[0], 0.0);
-  EXPECT_LT(state.reals.at("seam_load_parameter")[0], 1.0);
+  EXPECT_EQ(state.integers.at("statistics: steps"), std::vector<int>{steps});
+  EXPECT_GT(state.reals.at("state: seam")[0], 0.0);
+  EXPECT_LT(state.reals.at("state: seam")[0], 1.0);
 }
 
 // A settle that fails at once claims no state that it has not got.

@@ -173,9 +173,13 @@ TEST_F(Hostile, FullDisk) {
   EXPECT_LT(last.steps, 20);
   // The step that was interrupted may lack its state, which is then that of the step before.
   const result::StateData state = result::read_state(path("out/restart.h5"));
-  EXPECT_THAT(state.integers.at("step").front(), AnyOf(last.steps, last.steps - 1));
-  EXPECT_EQ(state.reals.at("position").size(), 3u * 66u);
+  EXPECT_THAT(state.integers.at("statistics: steps").front(), AnyOf(last.steps, last.steps - 1));
+  EXPECT_EQ(state.reals.at("state: position").size(), 3u * 66u);
   EXPECT_THAT(last.position[2], Each(DoubleNear(0.0, 1e-9)));
+  // With room again it goes on to its end, as it says.
+  EXPECT_THAT(later.err, HasSubstr("toile run scene.xml --output out --restart"));
+  EXPECT_EQ(toile("run scene.xml --output out --restart").status, 0);
+  EXPECT_GT(ExodusStep(path("out/results.exo")).steps, 20);
 }
 
 // Who may not read a folder is told so with status 2. (The superuser may read all.)

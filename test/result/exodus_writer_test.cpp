@@ -317,5 +317,33 @@ TEST(ExodusWriter, RefusesIncompleteSteps) {
   EXPECT_EQ(Reader(writer.path()).count(EX_INQ_TIME), 0);
 }
 
+// A run that goes on leaves the file, byte for byte, that it leaves in one go, although the last step was written and
+// not counted; a file of another garment, or with too few steps, is refused.
+TEST(ExodusWriter, GoesOnAfterAStep) {
+  const TemporaryFolder folder;
+  const Scene scene;
+  const std::string whole = folder.file("whole.exo"), parts = folder.file("parts.exo");
+  ExodusWriter once(whole, scene.garment, &scene.body, scene.fields);
+  for (const int step : {1, 2, 3}) once.write_step(step, Scene::step(step));
+  {
+    ExodusWriter first(parts, scene.garment, &scene.body, scene.fields);
+    for (const int step : {1, 2}) first.write_step(step, Scene::step(10 + step));
+  }
+  {
+    ExodusWriter first(parts, scene.garment, &scene.body, scene.fields);
+    for (const int step : {1, 2}) first.write_step(step, Scene::step(step == 1 ? 1 : 12));
+  }
+  ExodusWriter rest(parts, scene.garment, &scene.body, scene.fields);
+  rest.go_on(1);
+  for (const int step : {2, 3}) rest.write_step(step, Scene::step(step));
+  EXPECT_EQ(read_text(parts), read_text(whole));
+  ExodusWriter more(parts, scene.garment, &scene.body, scene.fields);
+  EXPECT_THAT(input_error([&] { more.go_on(4); }), ::testing::HasSubstr("it holds 3 steps, and 4 were accepted"));
+  Scene other;
+  other.garment.placed[0].x() += 1.0;
+  ExodusWriter of_other(parts, other.garment, &other.body, other.fields);
+  EXPECT_THAT(input_error([&] { of_other.go_on(1); }), ::testing::HasSubstr("it is of another garment or body"));
+}
+
 }  // namespace
 }  // namespace toile::result::test

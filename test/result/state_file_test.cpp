@@ -87,13 +87,32 @@ TEST(StateFile, ReportsUnusableFiles) {
   const std::string failure = "cannot read the state file '" + path + "': ";
   EXPECT_EQ(input_error([&] { read_state(path); }), failure + "No such file or directory");
   std::ofstream(path) << "not HDF5";
-  EXPECT_EQ(input_error([&] { read_state(path); }), failure + "it is not a complete HDF5 file");
-  write_state(path, example());
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
-  EXPECT_EQ(input_error([&] { read_state(path); }), failure + "it is not a complete HDF5 file");
+  EXPECT_EQ(input_error([&] { read_state(path); }), failure + "it is not a state that Toile wrote");
   const std::string missing = folder.file("missing/state.h5");
   EXPECT_EQ(input_error([&] { write_state(missing, example()); }),
             "cannot write the state file '" + missing + "': No such file or directory");
+}
+
+// A state that was cut off anywhere, or of which any byte has changed, is refused, and says which.
+TEST(StateFile, RefusesWhatIsNotWhole) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("state.h5");
+  write_state(path, example());
+  const std::string whole = read_text(path);
+  for (size_t size = 0; size < whole.size(); size += 97) {
+    std::ofstream(path, std::ios::binary) << whole.substr(0, size);
+    EXPECT_THAT(input_error([&] { read_state(path); }),
+                ::testing::AnyOf(::testing::HasSubstr("was cut off"), ::testing::HasSubstr("is not a state")))
+        << size;
+  }
+  for (size_t at = 512; at < whole.size(); at += 61) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    std::ofstream(path, std::ios::binary) << changed;
+    EXPECT_THAT(input_error([&] { read_state(path); }), ::testing::HasSubstr("it is damaged")) << at;
+  }
+  std::ofstream(path, std::ios::binary) << whole << "x";
+  EXPECT_THAT(input_error([&] { read_state(path); }), ::testing::HasSubstr("it is damaged"));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Walk {
     equilibrium = std::make_shared<solve::Equilibrium>(sleeve.problem, start, held, solve::Drive{0.0, 1.0, 0.0, 1.0},
                                                        solve::SolverOptions(), Tpetra::getDefaultComm());
     z = equilibrium->start_vector();
-    solve::StageOptions options = stage(solve::StageType::load);
+    solve::StageOptions options = stage("load");
     options.first_step = 0.1;
     options.smallest_step = 1e-4;
     watch = std::make_unique<ArcWatch>(equilibrium, options);

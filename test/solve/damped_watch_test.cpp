@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "toile/solve/stage_kind.hpp"
+
 namespace toile::test {
 namespace {
 
@@ -23,7 +25,7 @@ State at(double load, double x) {
 
 DampedWatch watch() {
   solve::StageOptions stage;
-  stage.type = solve::StageType::load;
+  stage.kind = &solve::stage_kind("load");
   stage.damping.active = true;
   return DampedWatch(stage);
 }

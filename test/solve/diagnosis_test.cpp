@@ -28,7 +28,7 @@ struct Situation {
   explicit Situation(double stretch = 1.1) {
     sheet.add(solve::Vec3::Zero(), stretch * solve::Vec3::UnitX(), solve::Vec3::UnitY(), 0);
     sheet.hold(0, 0);
-    stage = test::stage(solve::StageType::load);
+    stage = test::stage("load");
     state = placed_state(sheet.problem);
     held = find_held(sheet.problem, state, {});
     left.force.assign(sheet.problem.clusters.size(), solve::Vec3::Zero());
@@ -188,7 +188,7 @@ std::string cause_of(const solve::Problem& problem, const solve::StageOptions& s
 TEST(Diagnosis, SeamThroughTheBody) {
   Sleeve sleeve(options(12, 6), neo_hookean());
   sleeve.problem.clusters[1] = {1, 7};
-  EXPECT_THAT(cause_of(sleeve.problem, stage(solve::StageType::sew), placed_state(sleeve.problem), false),
+  EXPECT_THAT(cause_of(sleeve.problem, stage("sew"), placed_state(sleeve.problem), false),
               AllOf(HasSubstr("the way that a seam closes leads through the body: node 2 of panel \"sleeve\""),
                     HasSubstr("starts 120 mm from the node that it is sewn to")));
 }
@@ -200,7 +200,7 @@ TEST(Diagnosis, LooseGarment) {
   o.axial = 1.0;
   const Sleeve sleeve(o, neo_hookean());
   EXPECT_THAT(
-      cause_of(sleeve.problem, stage(solve::StageType::settle), closed_start(sleeve.problem), false),
+      cause_of(sleeve.problem, stage("settle"), closed_start(sleeve.problem), false),
       AllOf(HasSubstr("the garment is loose, wider than the body where it is: its fabric is compressed more than it "
                       "is stretched, most in panel \"sleeve\""),
             HasSubstr("0.9")));
@@ -211,7 +211,7 @@ TEST(Diagnosis, GarmentThatIsPushedOff) {
   Sleeve sleeve(options(12, 6), neo_hookean());
   solve::State state = closed_start(sleeve.problem);
   for (size_t c = 0; c < state.position.size(); ++c) state.contact_force[c] = state.position[c][0] > 1.0 ? 0.1 : 0.0;
-  const solve::StageOptions sew = stage(solve::StageType::sew);
+  const solve::StageOptions sew = stage("sew");
   EXPECT_THAT(
       cause_of(sleeve.problem, sew, state, true),
       AllOf(HasSubstr("panel \"sleeve\": it is pushed off the body, in the direction (1, 0, 0): the body pushes it "
@@ -231,7 +231,7 @@ struct Hurried {
     solve::State start = closed_start(sleeve.problem);
     for (solve::Vec3& p : start.position) p[2] += 12.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
     run.simulation.set_start(start);
-    return failure_of(run.simulation, stage(solve::StageType::settle));
+    return failure_of(run.simulation, stage("settle"));
   }
 };
 
@@ -257,7 +257,7 @@ TEST(Watch, EndsTheRunOnRequest) {
     ++asked;
     return comm->getRank() == 0 && asked == 2 ? std::string("it is late") : std::string();
   });
-  const std::string message = failure_of(run.simulation, stage(solve::StageType::settle));
+  const std::string message = failure_of(run.simulation, stage("settle"));
   if (comm->getRank() == 0) {
     EXPECT_THAT(message, HasSubstr("no undamped equilibrium was found at its end, because it is late"));
   }
@@ -271,7 +271,7 @@ TEST(Watch, EndsTheRunAtALimitOfTime) {
   for (const bool of_stage : {true, false}) {
     Sleeve sleeve(options(12, 6), neo_hookean());
     solve::SolverOptions solver;
-    solve::StageOptions settle = stage(solve::StageType::settle);
+    solve::StageOptions settle = stage("settle");
     (of_stage ? settle.most_time : solver.most_time) = 1e-9;
     Recorded run(sleeve.problem, solver);
     run.simulation.set_start(closed_start(sleeve.problem));
@@ -284,7 +284,7 @@ TEST(Watch, EndsTheRunAtALimitOfTime) {
 // So does a limit of the iterations of a stage.
 TEST(Watch, EndsTheStageAtALimitOfIterations) {
   Sleeve sleeve(options(12, 6), neo_hookean());
-  solve::StageOptions settle = stage(solve::StageType::settle);
+  solve::StageOptions settle = stage("settle");
   settle.most_iterations = 1;
   Recorded run(sleeve.problem);
   run.simulation.set_start(closed_start(sleeve.problem));
@@ -299,7 +299,7 @@ TEST(Watch, ReportsIterations) {
   run.simulation.set_start(closed_start(sleeve.problem));
   std::vector<solve::IterationReport> reports;
   run.simulation.observe_iterations([&](const solve::IterationReport& report) { reports.push_back(report); });
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   ASSERT_GT(reports.size(), 2u);
   EXPECT_EQ(reports.front().iteration, 0);
   EXPECT_GT(reports.front().residual, 1e-6);

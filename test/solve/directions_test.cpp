@@ -59,7 +59,7 @@ Panels strip(const char* formulation, const Eigen::Matrix3d& rotation) {
 }
 
 solve::StageOptions pulling() {
-  solve::StageOptions s = stage(solve::StageType::load);
+  solve::StageOptions s = stage("load");
   s.first_step = s.largest_step = 0.5;
   return s;
 }
@@ -219,7 +219,7 @@ TEST(AlongTheLimb, AHemOnAConeCarriesTheAxialForceOfThePressure) {
   const Sleeve sleeve = sleeve_on_cone(32, 12);
   Recorded r(sleeve.problem);
   r.simulation.set_start(closed_start(sleeve.problem));
-  r.simulation.run(stage(solve::StageType::settle));
+  r.simulation.run(stage("settle"));
   const solve::ForceBalance& balance = r.last().balance;
   const double axial = balance.support[0].z();
   ASSERT_GT(std::abs(axial), 0.05);
@@ -243,7 +243,7 @@ TEST(AlongTheLimb, AHemOnAConeCarriesTheForceOfTheSmoothSleeve) {
     const Sleeve sleeve = sleeve_on_cone(32 << fine, 12 << fine);
     Recorded r(sleeve.problem);
     r.simulation.set_start(closed_start(sleeve.problem));
-    r.simulation.run(stage(solve::StageType::settle));
+    r.simulation.run(stage("settle"));
     axial[fine] = r.last().balance.support[0].z();
   }
   constexpr double smooth = 0.694812565;  // N

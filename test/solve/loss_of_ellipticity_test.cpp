@@ -103,12 +103,12 @@ TEST(LossOfEllipticity, NamesPanelPlaceAndState) {
 TEST(LossOfEllipticity, IsAWarningOfARunThatConverges) {
   const Panels bad = homogeneous(itskov(), sheared_u, sheared_v);
   Recorded run(bad.problem);
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   EXPECT_THAT(run.simulation.warnings(),
               Contains(HasSubstr("stage \"stage\": in its final state the fabric loses strong ellipticity")));
   const Panels good = homogeneous(itskov(), 1.2 * solve::Vec3::UnitX(), solve::Vec3(0.3, 1.1, 0.0));
   Recorded healthy(good.problem);
-  healthy.simulation.run(stage(solve::StageType::settle));
+  healthy.simulation.run(stage("settle"));
   EXPECT_THAT(healthy.simulation.warnings(), IsEmpty());
 }
 
@@ -137,7 +137,7 @@ TEST(LossOfEllipticity, IsPartOfTheMessageOfAStageThatFails) {
   for (int n = 0; n < Panels::nodes(); ++n) all.push_back(n);
   strip.hold_nodes(all, {false, false, true});
   Recorded run(strip.problem);
-  EXPECT_THAT(failure_of(run.simulation, stage(solve::StageType::load)),
+  EXPECT_THAT(failure_of(run.simulation, stage("load")),
               AllOf(HasSubstr("could not reach its end"), HasSubstr("the fabric loses strong ellipticity"),
                     HasSubstr("of panel \"panel0\"")));
 }

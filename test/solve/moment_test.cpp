@@ -47,7 +47,7 @@ TEST(Moment, FreeStripInEquilibrium) {
                beam = value * Panels::size * Panels::across / stiffness;
   strip.problem.loads = {edge_moment(0, -value), edge_moment(Panels::across, value)};
   Recorded run(strip.problem);
-  run.simulation.run(stage(solve::StageType::load));
+  run.simulation.run(stage("load"));
   EXPECT_EQ(run.simulation.notes().size(), 6u);
   EXPECT_THAT(run.simulation.warnings(), IsEmpty());
   EXPECT_LT(run.last().balance.sum().norm(), 1e-6 * run.last().balance.magnitude);
@@ -62,7 +62,7 @@ TEST(Moment, FreeStripThatTurns) {
   Panels strip = flat_shell();
   strip.problem.loads = {edge_moment(0, 1e-4)};
   Recorded run(strip.problem);
-  EXPECT_THAT(failure_of(run.simulation, stage(solve::StageType::load)),
+  EXPECT_THAT(failure_of(run.simulation, stage("load")),
               AllOf(HasSubstr("there is no equilibrium"), HasSubstr("rotation about the axis")));
 }
 
@@ -82,7 +82,7 @@ TEST(Moment, DirectorsOfHeldPositions) {
     sheet.hold_nodes(load.nodes, {true, true, true});
     sheet.problem.loads = {load};
     Recorded run(sheet.problem);
-    solve::StageOptions turn = stage(solve::StageType::load);
+    solve::StageOptions turn = stage("load");
     turn.damping.active = damped;
     run.simulation.run(turn);
     EXPECT_EQ(run.last().negative_pivots, 0);
@@ -113,7 +113,7 @@ TEST(Moment, OnlyStretchedFibresBend) {
     strip.problem.supports.back().director = solve::DirectorSupport::held;
     strip.hold_nodes({0}, {false, true, false});
     Recorded run(strip.problem);
-    run.simulation.run(stage(solve::StageType::load));
+    run.simulation.run(stage("load"));
     const double curvature =
         angle(run.simulation.state(), Panels::node(0, Panels::across, 2)) / (Panels::size * Panels::across);
     const double expected = (slack ? 2.0 / (c * c) : 12.0 * e) * tension / young;

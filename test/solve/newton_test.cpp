@@ -50,9 +50,7 @@ TEST(EnergyLineSearch, FailsWithoutADirection) {
                                                                 solve::SolverOptions(), Tpetra::getDefaultComm());
   const RCP<Teuchos::ParameterList> list = solve::newton_parameters(solve::LineSearch::energy);
   const RCP<LOCA::GlobalData> global = LOCA::createGlobalData(list);
-  const auto hooks = std::make_shared<solve::StepHooks>();
-  const RCP<EquilibriumGroup> group =
-      rcp(new EquilibriumGroup(global, equilibrium, *equilibrium->start_vector(), 0.0, hooks));
+  const RCP<EquilibriumGroup> group = rcp(new EquilibriumGroup(global, equilibrium, *equilibrium->start_vector(), 0.0));
   group->computeF();
   equilibrium->linearise(*equilibrium->start_vector(), 0.0);
   const RCP<NOX::Abstract::Vector> direction = group->getX().clone(NOX::ShapeCopy);

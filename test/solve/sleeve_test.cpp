@@ -20,7 +20,7 @@ TEST(Sleeve, PressureConvergesToLaplaceWithSecondOrder) {
     sleeve.problem.contact.offset_by_half_thickness = false;
     solve::Simulation simulation(sleeve.problem, {});
     simulation.set_start(closed_start(sleeve.problem));
-    simulation.run(stage(solve::StageType::settle));
+    simulation.run(stage("settle"));
     errors.push_back(std::abs(mid_pressure(sleeve, simulation.state(), 12 * n, 6 * n) / exact - 1.0));
   }
   EXPECT_LT(errors.back(), 4e-3);
@@ -42,7 +42,7 @@ TEST(Sleeve, RoundOffIsNoForce) {
   solve::Simulation simulation(sleeve.problem, {});
   const solve::State start = closed_start(sleeve.problem);
   simulation.set_start(start);
-  simulation.run(stage(solve::StageType::settle));
+  simulation.run(stage("settle"));
   const solve::State& end = simulation.state();
   for (size_t c = 0; c < start.position.size(); ++c) {
     EXPECT_EQ(end.contact_force[c], 0.0) << c;
@@ -58,7 +58,7 @@ TEST(Sleeve, PressureDoesNotDependOnTheContactStiffness) {
     sleeve.problem.contact.relative_stiffness = stiffness;
     solve::Simulation simulation(sleeve.problem, {});
     simulation.set_start(closed_start(sleeve.problem));
-    simulation.run(stage(solve::StageType::settle));
+    simulation.run(stage("settle"));
     pressure.push_back(mid_pressure(sleeve, simulation.state(), 24, 8));
   }
   EXPECT_NEAR(pressure[0] / pressure[1], 1.0, 1e-8);
@@ -71,7 +71,7 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   Sleeve closed(options(), neo_hookean());
   solve::Simulation direct(closed.problem, {});
   direct.set_start(closed_start(closed.problem));
-  direct.run(stage(solve::StageType::settle));
+  direct.run(stage("settle"));
 
   Sleeve open(options(), neo_hookean());
   open_up(open, options(), 60.0);
@@ -87,7 +87,7 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
     damped_share = std::max(damped_share, r.undamped_residual);
     last_share = r.undamped_residual;
   });
-  solve::StageOptions sew = stage(solve::StageType::sew);
+  solve::StageOptions sew = stage("sew");
   sew.damping.active = true;
   sewn.run(sew);
   EXPECT_GT(steps, 2);
@@ -108,7 +108,7 @@ TEST(Sleeve, ForcesOfTheWrittenFieldsBalance) {
   solve::StepReport last;
   simulation.observe([&](const solve::StepReport& r, const solve::State&) { last = r; });
   simulation.set_start(closed_start(sleeve.problem));
-  simulation.run(stage(solve::StageType::settle));
+  simulation.run(stage("settle"));
   solve::ForceBalance balance = last.balance;
   EXPECT_GT(balance.magnitude, 1.0);
   EXPECT_LT(balance.sum().norm(), 1e-6 * balance.magnitude);
@@ -126,7 +126,7 @@ TEST(Sleeve, AStageThatCannotEndKeepsTheLastConvergedState) {
   double reached = 0.0;
   simulation.observe([&](const solve::StepReport& r, const solve::State&) { reached = r.load; });
   simulation.set_start(closed_start(sleeve.problem));
-  solve::StageOptions pull = stage(solve::StageType::load);
+  solve::StageOptions pull = stage("load");
   pull.max_steps = 3;
   pull.first_step = pull.largest_step = 0.1;
   try {
@@ -146,7 +146,7 @@ TEST(Sleeve, TheLastAllowedStepMayReachTheEnd) {
   sleeve.problem.supports[1].displacement = solve::Vec3(0.0, 0.0, 10.0);
   solve::Simulation simulation(sleeve.problem, {});
   simulation.set_start(closed_start(sleeve.problem));
-  solve::StageOptions pull = stage(solve::StageType::load);
+  solve::StageOptions pull = stage("load");
   pull.max_steps = 2;
   pull.first_step = pull.largest_step = 0.5;
   simulation.run(pull);
@@ -161,7 +161,7 @@ TEST(Sleeve, ExtrapolatedElementsOfEveryRankAreCounted) {
   int extrapolated = 0;
   simulation.observe([&](const solve::StepReport& r, const solve::State&) { extrapolated = r.extrapolated; });
   simulation.set_start(closed_start(sleeve.problem));
-  simulation.run(stage(solve::StageType::load));
+  simulation.run(stage("load"));
   EXPECT_EQ(extrapolated, 12 * 6);
 }
 
@@ -171,7 +171,7 @@ TEST(Sleeve, EndsHeldAcrossTheBodyAreCarriedByTheirSupports) {
   for (solve::Support& end : sleeve.problem.supports) end.held = {true, true, false};
   solve::Simulation simulation(sleeve.problem, {});
   simulation.set_start(closed_start(sleeve.problem));
-  simulation.run(stage(solve::StageType::settle));
+  simulation.run(stage("settle"));
   const solve::Fields fields = compute_fields(sleeve.problem, simulation.state());
   EXPECT_LT(fields.gap[0], -0.1);  // the inner face of an end lies in the body, and stays there
   EXPECT_EQ(fields.pressure[0], 0.0);
@@ -188,9 +188,9 @@ TEST(Sleeve, AFailedStepIsCutBack) {
   simulation.set_start(closed_start(sleeve.problem));
   solve::Simulation unhurried(sleeve.problem, {});
   unhurried.set_start(closed_start(sleeve.problem));
-  unhurried.run(stage(solve::StageType::settle));
+  unhurried.run(stage("settle"));
   simulation.set_state(unhurried.state());
-  solve::StageOptions pull = stage(solve::StageType::load);
+  solve::StageOptions pull = stage("load");
   pull.first_step = pull.largest_step = 1.0;
   simulation.run(pull);
   EXPECT_GT(simulation.statistics().cut_backs, 0);
@@ -203,11 +203,11 @@ TEST(Sleeve, DampedStepsReachAStateThatNewtonAloneDoesNot) {
   Sleeve sleeve(options(12, 6), neo_hookean());
   solve::Simulation direct(sleeve.problem, {});
   direct.set_start(closed_start(sleeve.problem));
-  direct.run(stage(solve::StageType::settle));
+  direct.run(stage("settle"));
   solve::SolverOptions few;
   few.newton.max_iterations = 3;
   few.newton.tolerance = 1e-6;
-  solve::StageOptions settle = stage(solve::StageType::settle);
+  solve::StageOptions settle = stage("settle");
   solve::State rough = closed_start(sleeve.problem);  // rows crowded towards one end
   for (solve::Vec3& p : rough.position) p[2] += 12.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
   solve::Simulation undamped(sleeve.problem, few);
@@ -225,7 +225,7 @@ TEST(Sleeve, NullMotionIsNamed) {
   Sleeve sleeve(options(12, 6), neo_hookean());
   solve::Simulation simulation(sleeve.problem, {});
   simulation.set_start(closed_start(sleeve.problem));
-  simulation.run(stage(solve::StageType::settle));
+  simulation.run(stage("settle"));
   ASSERT_EQ(simulation.notes().size(), 1u);
   EXPECT_NE(simulation.notes()[0].find("rotation about the axis (0, 0, 1)"), std::string::npos)
       << simulation.notes()[0];

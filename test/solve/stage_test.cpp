@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 solve::StageOptions damped_sewing() {
-  solve::StageOptions sew = stage(solve::StageType::sew);
+  solve::StageOptions sew = stage("sew");
   sew.damping.active = true;
   return sew;
 }
@@ -28,8 +28,19 @@ double settled_pressure(const Sleeve::Options& o) {
   Sleeve closed(o, neo_hookean());
   Recorded run(closed.problem);
   run.simulation.set_start(closed_start(closed.problem));
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   return mid_pressure(closed, run.simulation.state(), o.around, o.along);
+}
+
+// A kind of stage is found by its word in the input; of an unknown one the nearest is told.
+TEST(Stage, KindsAreFoundByName) {
+  for (const char* name : {"sew", "load", "settle"}) EXPECT_EQ(solve::stage_kind(name).name(), std::string(name));
+  try {
+    solve::stage_kind("setle");
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("no kind of stage is named \"setle\""), HasSubstr("\"settle\"")));
+  }
 }
 
 // A sleeve that starts off the body is held against the motions that the body does not resist yet; once it presses,
@@ -63,7 +74,7 @@ TEST(Stage, CountingPivotsDoesNotChangeADampedPath) {
     for (int n = 0; n < Panels::nodes(); ++n) all.push_back(n);
     sheet.hold_nodes(all, {false, false, true});
     Recorded run(sheet.problem);
-    solve::StageOptions pull = stage(solve::StageType::load);
+    solve::StageOptions pull = stage("load");
     pull.damping.active = true;
     pull.damping.fraction = 0.1;
     pull.stability_every_step = every_step;
@@ -86,7 +97,7 @@ TEST(Stage, ArcLengthRecordsNothingBeyondTheTarget) {
     sheet.hold(0, Panels::across);
     sheet.problem.supports[1].displacement[0] = 0.05 * Panels::size * Panels::across * (1.0 + beyond);
     Recorded run(sheet.problem);
-    solve::StageOptions pull = stage(solve::StageType::load);
+    solve::StageOptions pull = stage("load");
     pull.arc_length = pull.stability_every_step = true;
     run.simulation.run(pull);
     for (const solve::StepReport& r : run.reports) EXPECT_LE(r.load, 1.0 + 1e-12);
@@ -112,7 +123,7 @@ TEST(Stage, LoadAlongANullMotionHasNoEquilibrium) {
   sleeve.problem.supports.clear();
   Recorded run(sleeve.problem);
   run.simulation.set_start(closed_start(sleeve.problem));
-  EXPECT_THAT(failure_of(run.simulation, stage(solve::StageType::load)),
+  EXPECT_THAT(failure_of(run.simulation, stage("load")),
               AllOf(HasSubstr("there is no equilibrium"), HasSubstr("translation along (0, 0, 1)")));
 }
 
@@ -123,7 +134,7 @@ TEST(Stage, SeparateSleevesAreHeldSeparately) {
   for (size_t s = 0; s < 2; ++s) sleeve.problem.supports[s].held = {false, false, true};
   Recorded run(sleeve.problem);
   run.simulation.set_start(closed_start(sleeve.problem));
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   EXPECT_EQ(run.simulation.notes().size(), 2u);
   EXPECT_EQ(run.last().negative_pivots, 0);
   EXPECT_THAT(run.simulation.warnings(), IsEmpty());
@@ -136,7 +147,7 @@ TEST(Stage, UnstableEndIsAWarning) {
   sheet.hold(0, 0);
   sheet.hold(0, Panels::across);
   Recorded run(sheet.problem);
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   EXPECT_GT(run.last().negative_pivots, 0);
   EXPECT_THAT(run.simulation.warnings(), ElementsAre(HasSubstr("its final state is not stable (")));
 }
@@ -153,7 +164,7 @@ TEST(Stage, EndOfUnknownStabilityIsAWarning) {
   }
   sheets.problem.laws[1].material = &limp;
   Recorded run(sheets.problem);
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   EXPECT_EQ(run.last().negative_pivots, -1);
   EXPECT_THAT(run.simulation.warnings(), ElementsAre(HasSubstr("it is not known whether its final state is stable")));
 }
@@ -210,7 +221,7 @@ TEST(Stage, ReleasedSupportCarriesNothing) {
   Recorded run(open.problem);
   run.simulation.run(damped_sewing());
   EXPECT_GT(run.last().balance.support[1][2], 1.0);
-  solve::StageOptions settle = stage(solve::StageType::settle);
+  solve::StageOptions settle = stage("settle");
   settle.released = {"top"};
   run.simulation.run(settle);
   EXPECT_EQ(run.last().balance.support[1], solve::Vec3::Zero());
@@ -268,7 +279,7 @@ TEST(Stage, ThreePanelsMeetInOneSeam) {
   star.problem.clusters = clusters;
   star.problem.cluster_rank = owners;
   Recorded run(star.problem);
-  run.simulation.run(stage(solve::StageType::sew));
+  run.simulation.run(stage("sew"));
   for (size_t c = 0; c < clusters.size(); ++c)
     if (clusters[c].size() == 3) {
       EXPECT_LT(run.simulation.state().position[c].head<2>().norm(), 1e-8) << c;
@@ -289,7 +300,7 @@ TEST(Stage, LinearSolversAgree) {
     solver.linear.method = method;
     Recorded run(sleeve.problem, solver);
     run.simulation.set_start(closed_start(sleeve.problem));
-    run.simulation.run(stage(solve::StageType::settle));
+    run.simulation.run(stage("settle"));
     pressure.push_back(mid_pressure(sleeve, run.simulation.state(), o.around, o.along));
   }
   EXPECT_GT(pressure[0], 0.0);
@@ -307,7 +318,7 @@ TEST(Stage, FailedSettleAcceptsNothing) {
     solve::State start = closed_start(sleeve.problem);  // rows crowded towards one end
     for (solve::Vec3& p : start.position) p[2] += 12.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
     run.simulation.set_start(start);
-    solve::StageOptions settle = stage(solve::StageType::settle);
+    solve::StageOptions settle = stage("settle");
     settle.damping.active = damped;
     const std::string message = failure_of(run.simulation, settle);
     EXPECT_THAT(message, HasSubstr("no undamped equilibrium was found at its end, and no step of it was accepted."));
@@ -332,7 +343,7 @@ TEST(Stage, ContactOffTheSmoothSurfaceIsCounted) {
   sleeve.problem.surface = &hole;
   Recorded run(sleeve.problem);
   run.simulation.set_start(closed_start(sleeve.problem));
-  run.simulation.run(stage(solve::StageType::settle));
+  run.simulation.run(stage("settle"));
   EXPECT_EQ(compute_fields(sleeve.problem, run.simulation.state()).contacts_off_surface, 3 * 12);
 }
 

@@ -6,7 +6,7 @@
 
 #include "sleeve.hpp"
 #include "toile/solve/fields.hpp"
-#include "toile/solve/options.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::test {
 
@@ -34,10 +34,10 @@ inline solve::State closed_start(const solve::Problem& problem) {
   return start;
 }
 
-inline solve::StageOptions stage(solve::StageType type) {
+inline solve::StageOptions stage(const std::string& kind) {
   solve::StageOptions s;
   s.name = "stage";
-  s.type = type;
+  s.kind = &solve::stage_kind(kind);
   return s;
 }
 

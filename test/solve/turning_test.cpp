@@ -35,7 +35,7 @@ Panels stretched_panel(const char* formulation) {
 }
 
 solve::StageOptions load_stage(double target = 1.0, double step = 0.2) {
-  solve::StageOptions s = stage(solve::StageType::load);
+  solve::StageOptions s = stage("load");
   s.target = target;
   s.first_step = s.largest_step = step;
   return s;
@@ -56,7 +56,7 @@ Recorded run(const solve::Problem& problem, const std::vector<solve::StageOption
     recorded.reports.push_back(report);
     recorded.states.push_back(state);
   });
-  simulation.run(stage(solve::StageType::settle));
+  simulation.run(stage("settle"));
   for (const solve::StageOptions& s : stages) simulation.run(s);
   return recorded;
 }

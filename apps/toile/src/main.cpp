@@ -111,6 +111,8 @@ int dispatch(int argc, char** argv) {
                   "Seconds without a line after which the iterations of a step are told of (default: 5)")
       ->check(CLI::Range(0.0, 1e9));
   run->add_flag("--quiet", arguments.quiet, "Print errors and warnings only");
+  run->add_flag("--restart", arguments.restart,
+                "Go on after the last step that is in the folder of the results, from its restart.h5");
 
   run->add_flag("--allow-plugins", arguments.allow_plugins, allow_text);
 

@@ -17,6 +17,23 @@ std::string folder_of(const RunArguments& arguments) {
   return "results/" + std::filesystem::path(arguments.scene).stem().string();
 }
 
+/// What takes the run up where it ended.
+std::string restart_text(const RunArguments& arguments) {
+  std::string command = "toile run " + arguments.scene;
+  if (!arguments.output.empty()) command += " --output " + arguments.output;
+  if (arguments.threads != 1) command += " --threads " + std::to_string(arguments.threads);
+  return "\nTo go on after the last step that is on disk: " + command +
+         (arguments.allow_plugins ? " --allow-plugins" : "") + " --restart";
+}
+
+/// Whether a later run may get further although nothing but a limit, or the room on the disk, is another.
+bool may_go_on(const run::Session& session, base::ExitCode code, size_t steps_before) {
+  const size_t steps = session.record().reports().size();
+  if (!result::files_available()) return false;
+  if (code == base::ExitCode::bad_input) return steps > steps_before;
+  return steps > 0 && !session.record().stopped().empty();
+}
+
 }  // namespace
 
 int run(const RunArguments& arguments) {
@@ -27,6 +44,7 @@ int run(const RunArguments& arguments) {
   if (comm->getRank() == 0) options.log = base::Log(std::cout, std::cerr, arguments.quiet);
   run::Session session(arguments.scene, options);
   const std::string folder = folder_of(arguments);
+  if (arguments.restart) session.resume(folder + "/restart.h5");
   run::add_outputs(session, {folder, arguments.heartbeat});
   session.log().info(session.scene().title() + "\n" + std::to_string(session.scene().garment().mesh.nodes()) +
                      " nodes, " + std::to_string(comm->getSize()) + " rank(s), results in " + folder);
@@ -35,7 +53,13 @@ int run(const RunArguments& arguments) {
         "this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
   catch_stop_signals();
   session.stop_when(stop_signal);
-  session.run();
+  const size_t steps_before = session.record().reports().size();
+  try {
+    session.run();
+  } catch (const base::Error& error) {
+    if (!may_go_on(session, error.code(), steps_before)) throw;
+    throw base::Error(error.code(), error.what() + restart_text(arguments));
+  }
   return static_cast<int>(base::ExitCode::success);
 }
 

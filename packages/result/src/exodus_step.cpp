@@ -4,6 +4,10 @@
 #include <netcdf.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "file_access.hpp"
@@ -12,8 +16,23 @@
 namespace toile::result {
 namespace {
 
-/// Bytes of a classic netCDF file that hold its kind and the number of its steps.
-constexpr std::size_t head_size = 8;
+/// Bytes of a classic netCDF file that hold its kind, and with them the number of its steps.
+constexpr std::size_t kind_size = 4, head_size = 8;
+
+/// That number, the highest byte first.
+std::size_t steps_in(const std::string& head) {
+  std::size_t steps = 0;
+  for (std::size_t i = kind_size; i < head_size; ++i) steps = 256 * steps + static_cast<unsigned char>(head[i]);
+  return steps;
+}
+
+std::string bytes_of(const std::string& path, std::size_t most) {
+  std::string bytes(most, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
 
 }  // namespace
 
@@ -79,6 +98,25 @@ void ExodusStep::put(const std::string& name, const std::vector<double>& values)
   const std::size_t start[] = {step_, 0};
   const std::size_t count[] = {1, values.size()};
   check(nc_put_vara_double(id_, variable, start, count, values.data()), "a field");
+}
+
+void keep_steps(const std::string& path, const std::string& model, int steps) {
+  const std::string failure = "cannot go on with the Exodus file '" + path + "': ";
+  check_access(path, failure, true);
+  const std::string expected = bytes_of(model, std::filesystem::file_size(model)),
+                    found = bytes_of(path, expected.size());
+  if (found.size() != expected.size() || found.compare(0, kind_size, expected, 0, kind_size) != 0 ||
+      found.compare(head_size, std::string::npos, expected, head_size) != 0)
+    throw base::InputError(failure + "it is of another garment or body, or has other fields");
+  if (steps_in(found) < static_cast<std::size_t>(steps))
+    throw base::InputError(failure + "it holds " + std::to_string(steps_in(found)) + " steps, and " +
+                           std::to_string(steps) + " were accepted");
+  std::string number;
+  for (int shift = 24; shift >= 0; shift -= 8) number += static_cast<char>(steps >> shift & 255);
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+  const ssize_t written = ::pwrite(descriptor, number.data(), number.size(), kind_size);
+  ::close(descriptor);
+  if (written != static_cast<ssize_t>(number.size())) throw base::InputError(failure + std::strerror(errno));
 }
 
 void ExodusStep::undo() const {

@@ -39,4 +39,8 @@ class ExodusStep {
   bool finished_ = false;
 };
 
+/// Leaves the first `steps` steps of the file; the next one takes the place of those after them. `model`: a file of the
+/// same garment, body and fields without a step. Throws InputError if the file is of others, or holds fewer steps.
+void keep_steps(const std::string& path, const std::string& model, int steps);
+
 }  // namespace toile::result

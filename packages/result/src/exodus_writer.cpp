@@ -99,6 +99,12 @@ ExodusWriter::ExodusWriter(const std::string& path, const mesh::Mesh& garment, c
   file.close();
 }
 
+void ExodusWriter::go_on(int steps) {
+  keep_steps(path_, new_file_->path(), steps);
+  new_file_.reset();
+  steps_ = steps;
+}
+
 void ExodusWriter::check(const StepData& data) const {
   check_size("disp", data.displacement.size(), garment_nodes_);
   check_declared(data.nodal, fields_.nodal);

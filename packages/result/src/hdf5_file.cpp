@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "file_access.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::result {
@@ -34,10 +33,14 @@ Hdf5File Hdf5File::in_memory(const std::string& failure) {
   return {std::move(handle), failure};
 }
 
-Hdf5File Hdf5File::open_to_read(const std::string& path, const std::string& failure) {
-  check_access(path, failure);
+Hdf5File Hdf5File::of_image(const std::string& bytes, const std::string& failure) {
+  constexpr std::size_t growth = 1U << 16U;
   print_no_stacks();
-  Hdf5Handle handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle driver(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(driver.id(), growth, false);
+  std::string copy = bytes;  // HDF5 asks for one that it could change
+  H5Pset_file_image(driver.id(), copy.data(), copy.size());
+  Hdf5Handle handle(H5Fopen("memory", H5F_ACC_RDONLY, driver.id()), H5Fclose);
   if (!handle.valid()) {
     throw base::InputError(failure + "it is not a complete HDF5 file");
   }

@@ -29,7 +29,8 @@ class Hdf5File {
   /// A new file in memory, whose bytes image() gives: HDF5 itself can crash on a full disk, and does not say that it
   /// is.
   static Hdf5File in_memory(const std::string& failure);
-  static Hdf5File open_to_read(const std::string& path, const std::string& failure);
+  /// Of bytes that image() gave, to read.
+  static Hdf5File of_image(const std::string& bytes, const std::string& failure);
 
   hid_t id() const { return handle_.id(); }
   /// Takes the result of an HDF5 function that opens or creates something.

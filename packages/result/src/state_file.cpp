@@ -1,5 +1,13 @@
 #include "toile/result/state_file.hpp"
 
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "file_access.hpp"
 #include "hdf5_file.hpp"
 #include "toile/base/error.hpp"
 #include "toile/result/replace_file.hpp"
@@ -7,8 +15,7 @@
 namespace toile::result {
 namespace {
 
-constexpr int format_version = 1;
-constexpr const char* version_name = "toile_state_version";
+constexpr int format_version = 2;
 
 /// How one kind of value is stored.
 struct Kind {
@@ -89,24 +96,53 @@ std::map<std::string, std::string> get_metadata(const Hdf5File& file) {
   return metadata;
 }
 
-void put_version(const Hdf5File& file) {
-  const Hdf5Handle space = file.own(H5Screate(H5S_SCALAR), H5Sclose, version_name);
-  const Hdf5Handle attribute = file.own(
-      H5Acreate2(file.id(), version_name, H5T_STD_I32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, version_name);
-  file.check(H5Awrite(attribute.id(), H5T_NATIVE_INT, &format_version), version_name);
+/// The first bytes of the file, before those of HDF5, which skips them: kind, version, and what proves the rest whole.
+constexpr std::size_t seal_size = 512;
+constexpr const char* seal_start = "Toile state ";
+
+std::string checksum(const std::string& bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  std::ostringstream out;
+  out << std::hex << std::setw(8) << std::setfill('0') << crc.checksum();
+  return out.str();
 }
 
-void check_version(const Hdf5File& file, const std::string& failure) {
-  if (H5Aexists(file.id(), version_name) <= 0) {
-    throw base::InputError(failure + "it is not a state that Toile wrote");
-  }
+std::string sealed(const std::string& image) {
+  std::string seal = seal_start + std::to_string(format_version) + " bytes " + std::to_string(image.size()) +
+                     " CRC-32 " + checksum(image) + "\n";
+  seal.resize(seal_size, ' ');
+  seal.back() = '\n';
+  return seal + image;
+}
+
+std::string content_of(const std::string& path, const std::string& failure) {
+  check_access(path, failure);
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The bytes of HDF5, if they are those that were written.
+std::string unsealed(const std::string& content, const std::string& failure) {
+  std::istringstream seal(content.substr(0, std::min(seal_size, content.size())));
+  std::string word, sum;
   int version = 0;
-  const Hdf5Handle attribute = file.own(H5Aopen(file.id(), version_name, H5P_DEFAULT), H5Aclose, version_name);
-  file.check(H5Aread(attribute.id(), H5T_NATIVE_INT, &version), version_name);
-  if (version != format_version) {
+  std::size_t size = 0;
+  seal >> word >> word >> version;
+  if (content.compare(0, std::strlen(seal_start), seal_start) != 0 || !seal)
+    throw base::InputError(failure + "it is not a state that Toile wrote");
+  if (version != format_version)
     throw base::InputError(failure + "its format is version " + std::to_string(version) + ", this program reads " +
                            std::to_string(format_version));
-  }
+  seal >> word >> size >> word >> sum;
+  const std::size_t found = content.size() - std::min(seal_size, content.size());
+  if (!seal || found < size)
+    throw base::InputError(failure + "it was cut off: " + std::to_string(found) + " of " + std::to_string(size) +
+                           " bytes are there");
+  std::string image = content.substr(seal_size);
+  if (found > size || checksum(image) != sum)
+    throw base::InputError(failure + "it is damaged: its bytes do not have the checksum with which they were written");
+  return image;
 }
 
 }  // namespace
@@ -114,17 +150,15 @@ void check_version(const Hdf5File& file, const std::string& failure) {
 void write_state(const std::string& path, const StateData& state) {
   const std::string failure = "cannot write the state file '" + path + "': ";
   const Hdf5File file = Hdf5File::in_memory(failure);
-  put_version(file);
   put_arrays(file, state.reals);
   put_arrays(file, state.integers);
   put_metadata(file, state.metadata);
-  replace_file(path, file.image(), failure);
+  replace_file(path, sealed(file.image()), failure);
 }
 
 StateData read_state(const std::string& path) {
   const std::string failure = "cannot read the state file '" + path + "': ";
-  const Hdf5File file = Hdf5File::open_to_read(path, failure);
-  check_version(file, failure);
+  const Hdf5File file = Hdf5File::of_image(unsealed(content_of(path, failure), failure), failure);
   StateData state;
   state.reals = get_arrays<double>(file);
   state.integers = get_arrays<int>(file);

@@ -36,6 +36,9 @@ class Steps {
     writer_ = std::make_unique<result::ExodusWriter>(path, scene.garment().mesh, with_body ? &body_ : nullptr, names);
   }
 
+  /// After so many steps of the file that is there.
+  void go_on(int steps) { writer_->go_on(steps); }
+
   void write(const Record& record, const solve::StepReport& report) {
     const solve::Fields& fields = record.fields();
     const solve::Problem& problem = record.scene().problem();
@@ -70,6 +73,13 @@ class Steps {
 class Exodus : public Observer {
  public:
   explicit Exodus(std::shared_ptr<Folder> folder) : folder_(std::move(folder)) {}
+
+  void start(const Record& record) override {
+    if (record.reports().empty()) return;
+    steps_ = std::make_unique<Steps>(record, record.last(), folder_->file(exodus_name));
+    steps_->go_on(static_cast<int>(record.reports().size()));
+    folder_->add(exodus_name);
+  }
 
   void step(const Record& record) override {
     if (steps_ == nullptr) steps_ = std::make_unique<Steps>(record, record.last(), folder_->file(exodus_name));

@@ -16,8 +16,8 @@ class Progress : public Observer {
         stages_(static_cast<int>(context.scene.stages().size())),
         tolerance_(context.scene.solver().newton.tolerance) {}
 
-  void start_stage(const Record&, const solve::StageOptions&) override {
-    ++stage_number_;
+  void start_stage(const Record& record, const solve::StageOptions& stage) override {
+    stage_number_ = static_cast<int>(&stage - record.scene().stages().data()) + 1;
     path_.start(timer_.elapsed());
   }
 

@@ -30,9 +30,26 @@ const PressureReport& Record::pressure() const {
   return *pressure_;
 }
 
-void Record::add(const solve::StepReport& report, const solve::State& state) {
+const solve::Checkpoint& Record::checkpoint() const {
+  if (!checkpoint_) last();  // throws
+  return *checkpoint_;
+}
+
+void Record::resume(solve::Checkpoint checkpoint, std::vector<std::vector<solve::Vec3>> points,
+                    std::vector<std::vector<double>> distances) {
+  reports_ = checkpoint.reports;
+  state_ = checkpoint.state;
+  fields_.reset();
+  pressure_.reset();
+  points_ = std::move(points);
+  distances_ = std::move(distances);
+  checkpoint_ = std::move(checkpoint);
+}
+
+void Record::add(const solve::StepReport& report, const solve::State& state, solve::Checkpoint checkpoint) {
   reports_.push_back(report);
   state_ = state;
+  checkpoint_ = std::move(checkpoint);
   fields_.reset();
   pressure_.reset();
   if (points_.empty() && distances_.empty()) return;
@@ -51,6 +68,7 @@ void Record::follow(const solve::Simulation& simulation) {
   statistics_ = simulation.statistics();
   notes_ = simulation.notes();
   warnings_ = simulation.warnings();
+  stopped_ = simulation.stopped();
 }
 
 }  // namespace toile::run

@@ -1,40 +1,22 @@
-// restart.h5: the last accepted state.
+// restart.h5: everything from which the run goes on after the last accepted step.
 #include "output.hpp"
+#include "restart_file.hpp"
 #include "toile/result/available.hpp"
-#include "toile/result/state_file.hpp"
 
 namespace toile::run {
 
 namespace {
 
-const std::string restart_name = "restart.h5";
-
-result::StateData data_of(const Record& record) {
-  const solve::State& state = record.state();
-  result::StateData data;
-  std::vector<double>& position = data.reals["position"];
-  for (const solve::Vec3& p : state.position) position.insert(position.end(), p.data(), p.data() + 3);
-  data.reals["contact_force"] = state.contact_force;
-  data.reals["offset"] = state.offset;
-  if (!state.frame.empty()) {
-    for (const solve::Frame& frame : state.frame)
-      data.reals["director_frame"].insert(data.reals["director_frame"].end(), frame.data(), frame.data() + 9);
-    for (const auto& rotation : state.rotation)
-      data.reals["rotation"].insert(data.reals["rotation"].end(), rotation.begin(), rotation.end());
-  }
-  data.reals["seam_load_parameter"] = {state.seam, state.load, record.last().parameter};
-  data.integers["step"] = {record.last().step};
-  data.metadata["stage"] = record.last().stage;
-  data.metadata["title"] = record.scene().title();
-  return data;
-}
-
 class Restart : public Observer {
  public:
   explicit Restart(std::shared_ptr<Folder> folder) : folder_(std::move(folder)) {}
 
+  void start(const Record& record) override {
+    if (!record.reports().empty()) folder_->add(restart_name);
+  }
+
   void step(const Record& record) override {
-    result::write_state(folder_->file(restart_name), data_of(record));
+    write_restart(folder_->file(restart_name), record);
     folder_->add(restart_name);
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "alike.hpp"
+#include "restart_file.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/read_content.hpp"
 #include "toile/material/read_laws.hpp"
@@ -65,9 +66,26 @@ void Session::add(std::unique_ptr<Observer> observer) {
   observers_.push_back(std::move(observer));
 }
 
+void Session::identify() {
+  if (record_.fingerprint().values.empty())
+    record_.identify(scene::fingerprint(list_, scene::scene_spec(input_.laws), scene_));
+}
+
+void Session::resume(const std::string& restart_file) {
+  identify();
+  alike([&] {
+    read_restart(restart_file, record_);
+    const solve::Checkpoint& checkpoint = record_.checkpoint();
+    log_.info("Going on after step " + std::to_string(record_.last().step) + ", of stage \"" + checkpoint.stage_name +
+              "\", from " + restart_file);
+  });
+  resumed_ = true;
+}
+
 void Session::run() {
   if (std::exchange(ran_, true)) throw base::Error(base::ExitCode::internal_error, "a session runs once");
-  tell_start(start_report(), log_);
+  identify();
+  if (!resumed_) tell_start(start_report(), log_);
   notify([this](Observer& o) { o.start(record_); });
   try {
     run_stages();
@@ -82,9 +100,18 @@ void Session::run() {
 
 void Session::run_stages() {
   solve::Simulation simulation(scene_.problem(), scene_.solver());
-  simulation.set_start(record_.state());
+  if (resumed_)
+    simulation.resume(record_.checkpoint());
+  else
+    simulation.set_start(record_.state());
+  record_.follow(simulation);
   watch(simulation);
-  for (const solve::StageOptions& stage : scene_.stages()) run_stage(simulation, stage);
+  int number = 0;
+  for (const solve::StageOptions& stage : scene_.stages())
+    if (number++ < simulation.stages_behind())
+      simulation.run(stage);  // passes over it
+    else
+      run_stage(simulation, stage);
 }
 
 void Session::run_stage(solve::Simulation& simulation, const solve::StageOptions& stage) {
@@ -107,8 +134,8 @@ void Session::run_stage(solve::Simulation& simulation, const solve::StageOptions
 
 /// An error of who is told of an iteration must not leave the solve on one rank alone: it waits for the stage's end.
 void Session::watch(solve::Simulation& simulation) {
-  simulation.observe([this](const solve::StepReport& report, const solve::State& state) {
-    record_.add(report, state);
+  simulation.observe([this, &simulation](const solve::StepReport& report, const solve::State& state) {
+    record_.add(report, state, simulation.checkpoint());
     const auto phase = timer_.phase("output");
     notify([this](Observer& o) { o.step(record_); });
   });

@@ -6,6 +6,7 @@
 
 #include "start_shape.hpp"
 #include "start_text.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::scene {
 
@@ -23,7 +24,7 @@ struct MovedNode {
 /// Supports that have ended when the seams start to close; without a stage that sews they are closed from the start.
 std::set<std::string> released_before_sewing(const std::vector<solve::StageOptions>& stages) {
   std::set<std::string> released;
-  const auto sews = [](const solve::StageOptions& stage) { return stage.type == solve::StageType::sew; };
+  const auto sews = [](const solve::StageOptions& stage) { return stage.kind->closes_seams(); };
   const auto sewing = std::find_if(stages.begin(), stages.end(), sews);
   const auto last = sewing == stages.end() ? stages.begin() + 1 : sewing + 1;
   for (auto stage = stages.begin(); stage != last; ++stage)

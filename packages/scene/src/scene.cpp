@@ -10,6 +10,7 @@
 #include "toile/element/element.hpp"
 #include "toile/mesh/partition.hpp"
 #include "toile/solve/spec.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::scene {
 
@@ -84,7 +85,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   build_laws(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
   for (const solve::StageOptions& stage : stages_) {
-    sews_ = sews_ || stage.type == solve::StageType::sew;
+    sews_ = sews_ || stage.kind->closes_seams();
     damps_ = damps_ || stage.damping.active;
   }
   for (size_t k = 0; k < stages_.size(); ++k)

@@ -21,7 +21,7 @@ double ArcWatch::turn(const Vector& step) const {
 
 bool ArcWatch::accepts(const Vector& z) {
   constexpr double sharp = 60.0;     // degrees
-  constexpr double above = 16.0;     // times the smallest step: LOCA ends the path at a step that is cut below it
+  constexpr double above = 16.0;     // times the smallest step: the path ends at one that is cut below it
   constexpr double shortest = 0.05;  // of the first step: a bend that this does not round off is none
   off_ = 0.0;
   if (last_.is_null() || change_.is_null()) return true;
@@ -38,11 +38,11 @@ bool ArcWatch::accepts(const Vector& z) {
 bool ArcWatch::accepted(const Vector& z, double s) {
   const bool turned = off_ > 0.0;
   if (turned) {
-    ++turns_;
-    if (off_ > sharpest_) {
-      sharpest_ = off_;
-      from_ = equilibrium_->state(*last_, s_).load;
-      to_ = equilibrium_->state(z, s).load;
+    ++turns_.count;
+    if (off_ > turns_.distance) {
+      turns_.distance = off_;
+      turns_.from = equilibrium_->state(*last_, s_).load;
+      turns_.to = equilibrium_->state(z, s).load;
     }
   }
   if (!last_.is_null()) {
@@ -57,13 +57,32 @@ bool ArcWatch::accepted(const Vector& z, double s) {
   return turned;
 }
 
+WatchMemory ArcWatch::memory() const {
+  WatchMemory memory;
+  const auto values = [&](const RCP<const Vector>& v) { return v.is_null() ? Unknowns() : equilibrium_->gather(*v); };
+  memory.last = values(last_);
+  memory.change = values(change_);
+  memory.s = s_;
+  memory.first_length = first_length_;
+  memory.found = turns_;
+  return memory;
+}
+
+void ArcWatch::resume(const WatchMemory& memory) {
+  last_ = equilibrium_->scatter(memory.last);
+  change_ = equilibrium_->scatter(memory.change);
+  s_ = memory.s;
+  first_length_ = memory.first_length;
+  turns_ = memory.found;
+}
+
 std::string ArcWatch::warning() const {
-  if (turns_ == 0) return {};
+  if (turns_.count == 0) return {};
   std::ostringstream out;
   out.precision(4);
-  out << "between load " << from_ << " and " << to_ << " the path turned by " << sharpest_
+  out << "between load " << turns_.from << " and " << turns_.to << " the path turned by " << turns_.distance
       << " degrees at once, which shorter steps do not round off";
-  if (turns_ > 1) out << " (the sharpest of " << turns_ << " turns)";
+  if (turns_.count > 1) out << " (the sharpest of " << turns_.count << " turns)";
   out << ": it went over to another branch, or back along the one it came. The states after it are equilibria, but not "
          "those that follow on the path; smaller \"largest step\" and \"first step\" may stay on it";
   return out.str();

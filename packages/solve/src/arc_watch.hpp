@@ -3,6 +3,7 @@
 #include <string>
 
 #include "equilibrium.hpp"
+#include "toile/solve/checkpoint.hpp"
 
 namespace toile::solve {
 
@@ -21,6 +22,9 @@ class ArcWatch {
   /// What is to be said of the stage's turns; empty: there are none.
   std::string warning() const;
 
+  WatchMemory memory() const;
+  void resume(const WatchMemory& memory);
+
  private:
   double turn(const Vector& step) const;
 
@@ -30,8 +34,7 @@ class ArcWatch {
   double s_ = 0.0;
   double first_length_ = 0.0;  ///< of the first step, mm
   double off_ = 0.0;           ///< turn of the step that `accepts` let pass although it is large, degrees
-  int turns_ = 0;
-  double sharpest_ = 0.0, from_ = 0.0, to_ = 0.0;  ///< degrees, loads
+  FoundSteps turns_;
 };
 
 }  // namespace toile::solve

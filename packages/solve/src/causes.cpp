@@ -9,6 +9,7 @@
 #include "place.hpp"
 #include "toile/solve/connected_parts.hpp"
 #include "toile/solve/loss_of_ellipticity.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 
@@ -29,7 +30,7 @@ std::string panels_of(const Problem& problem, const std::vector<int>& clusters) 
 /// Two nodes that a seam ties although the body is between them.
 std::string seam_through_body(const Failure& failure) {
   const Problem& problem = failure.problem;
-  if (problem.surface == nullptr || failure.stage.type != StageType::sew || failure.start.seam >= 1.0) return {};
+  if (problem.surface == nullptr || !failure.stage.kind->closes_seams() || failure.start.seam >= 1.0) return {};
   constexpr double inside = 0.2;    // of the way: a chord across a gap of a seam lies much less deep
   constexpr double touching = 1.0;  // mm: edges that meet already have no way to go
   double deepest = 0.0, apart = 0.0;
@@ -226,7 +227,7 @@ std::string reaches_the_floor(const Failure& failure) {
 std::string reaches_a_limit(const Failure& failure) {
   constexpr double shrunk = 4.0;  // times the smallest step
   const StageOptions& stage = failure.stage;
-  if (stage.type != StageType::load || stage.arc_length || !failure.stepped || failure.relaxing) return {};
+  if (!stage.kind->changes_load() || stage.arc_length || !failure.stepped || failure.relaxing) return {};
   if (failure.left.s - failure.reached > shrunk * stage.smallest_step) return {};
   const Problem& problem = failure.problem;
   std::string text =

@@ -59,6 +59,18 @@ std::string CriticalPoints::count(Equilibrium& equilibrium, const Vector& z, dou
   return note.str();
 }
 
+PivotMemory CriticalPoints::memory(const Equilibrium& equilibrium) const {
+  return {pivots_, load_, s_, direction_, equilibrium.gather(*z_)};
+}
+
+void CriticalPoints::resume(const PivotMemory& memory, const Equilibrium& equilibrium) {
+  pivots_ = memory.pivots;
+  load_ = memory.load;
+  s_ = memory.s;
+  direction_ = memory.direction;
+  z_ = equilibrium.scatter(memory.z);
+}
+
 std::string stability_warning(const StepReport& last) {
   if (last.negative_pivots > 0)
     return "its final state is not stable (" + std::to_string(last.negative_pivots) +

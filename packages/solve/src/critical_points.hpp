@@ -3,6 +3,7 @@
 #include <string>
 
 #include "equilibrium.hpp"
+#include "toile/solve/checkpoint.hpp"
 
 namespace toile::solve {
 
@@ -16,6 +17,9 @@ class CriticalPoints {
   /// damping, which would hide an instability. Returns what was passed since the last count; empty: nothing.
   /// `arc_length`: limit points and bifurcations can be told apart.
   std::string count(Equilibrium& equilibrium, const Vector& z, double s, bool arc_length, StepReport& report);
+
+  PivotMemory memory(const Equilibrium& equilibrium) const;
+  void resume(const PivotMemory& memory, const Equilibrium& equilibrium);
 
  private:
   int pivots_ = -1;  ///< of the last count; -1: not known

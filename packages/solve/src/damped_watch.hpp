@@ -1,11 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "furthest_move.hpp"
-#include "toile/solve/options.hpp"
+#include "toile/solve/checkpoint.hpp"
 
 namespace toile::solve {
 
@@ -29,25 +27,20 @@ class DampedWatch {
   /// Returns whether the garment snapped in the step.
   bool accepted(const DampedStep& step);
   /// The snaps are told by something else.
-  void leave_snaps() { largest_.reset(); }
+  void leave_snaps() { snaps_.has_largest = false; }
   /// What is to be said of the stage.
   std::vector<std::string> warnings() const;
+
+  const FoundSteps& memory() const { return snaps_; }
+  void resume(const FoundSteps& memory) { snaps_ = memory; }
 
  private:
   bool holds_back() const;
   std::string snap_warning() const;
   std::string frozen_warning() const;
 
-  struct Snap {
-    double from, to, dissipated, share;  ///< loads (or closings), N mm, of the strain energy
-    FurthestMove move;
-  };
   StageOptions stage_;
-  std::optional<Snap> largest_;
-  int snaps_ = 0;
-  double first_ = 0.0, end_ = 0.0;  ///< where the first snap began and the last ended
-  double part_ = 0.0;               ///< of the stage that the snaps take, 0..1
-  double taken_ = 0.0;              ///< by the damping in them, N mm
+  FoundSteps snaps_;
 };
 
 }  // namespace toile::solve

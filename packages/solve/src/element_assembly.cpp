@@ -54,6 +54,8 @@ ElementAssembly::ElementAssembly(const Problem& problem, const Layout& layout, c
     part.status.resize(n);
     if (local.shell) part.frames.resize(9 * n * part.nodes);
     part.frozen.resize(n * static_cast<size_t>(part.element->frozen_values()));
+    part.first_frozen = all_frozen_;
+    all_frozen_ += static_cast<size_t>(block.size()) * static_cast<size_t>(part.element->frozen_values());
     for (size_t e = 0; e < n; ++e) {
       const int* node = &local.nodes[e * static_cast<size_t>(part.nodes)];
       if (std::any_of(node, node + part.nodes, [&](int i) { return layout.is_turned(layout.node_cluster[i]); }))
@@ -269,6 +271,27 @@ double ElementAssembly::find_frozen(const Configuration& at) {
 
 void ElementAssembly::adopt_frozen() {
   for (Part& part : parts_) std::swap(part.frozen, part.next_frozen);
+}
+
+std::vector<double> ElementAssembly::frozen() const {
+  std::vector<double> all(all_frozen_, 0.0);
+  for (const Part& part : parts_) {
+    const size_t per = static_cast<size_t>(part.element->frozen_values());
+    for (size_t e = 0; e < part.layout->elements.size() && per > 0; ++e)
+      if (part.layout->owned[e])
+        std::copy_n(&part.frozen[per * e], per,
+                    &all[part.first_frozen + per * static_cast<size_t>(part.layout->elements[e])]);
+  }
+  return all;
+}
+
+void ElementAssembly::set_frozen(const std::vector<double>& all) {
+  for (Part& part : parts_) {
+    const size_t per = static_cast<size_t>(part.element->frozen_values());
+    for (size_t e = 0; e < part.layout->elements.size() && per > 0; ++e)
+      std::copy_n(&all[part.first_frozen + per * static_cast<size_t>(part.layout->elements[e])], per,
+                  &part.frozen[per * e]);
+  }
 }
 
 double ElementAssembly::stabilisation_energy(const Configuration& at) {

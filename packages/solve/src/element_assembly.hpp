@@ -42,6 +42,10 @@ class ElementAssembly {
   /// do so. Returns the largest change of a thickness, mm, of this rank.
   double find_frozen(const Configuration& at);
   void adopt_frozen();
+  /// What they keep frozen now, of all elements of the garment, zero where another rank owns them: [block][element].
+  std::vector<double> frozen() const;
+  /// Sets it, given all of it.
+  void set_frozen(const std::vector<double>& all);
 
   /// Part of the energy that only stabilises reduced elements, N mm, of the elements owned by this rank.
   double stabilisation_energy(const Configuration& at);
@@ -66,6 +70,7 @@ class ElementAssembly {
     std::vector<double> edge_x;                ///< positions [element][node][3] about which their potential is
     std::vector<std::int64_t> entry;           ///< [element][ndof][ndof] place in the matrix, or -1
     std::vector<size_t> turned;                ///< elements with a node whose components are not x, y and z
+    size_t first_frozen;                       ///< place of the block's values among those of the garment
   };
 
   void find_entries(Part& part, const Graph& graph) const;
@@ -81,6 +86,7 @@ class ElementAssembly {
 
   const Layout& layout_;
   std::vector<Part> parts_;
+  size_t all_frozen_ = 0;  ///< values of the whole garment
   bool has_pressure_ = false, has_pressure_edges_ = false;
 };
 

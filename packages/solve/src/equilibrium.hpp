@@ -13,18 +13,12 @@
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 #include "toile/solve/simulation.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::solve {
 
 class Watch;
-
-/// Seams and load as functions of the stage's parameter s in [0, 1].
-struct Drive {
-  double seam_start = 0.0, seam_end = 0.0;
-  double load_start = 0.0, load_end = 0.0;
-  double seam(double s) const { return seam_start + (seam_end - seam_start) * s; }
-  double load(double s) const { return load_start + (load_end - load_start) * s; }
-};
+struct EquilibriumMemory;
 
 /// Residual of one configuration, in the measures that a step is judged by.
 struct Imbalance {
@@ -115,6 +109,16 @@ class Equilibrium {
   double update_thickness(const Vector& z, double s, double tolerance);
   const std::vector<double>& offsets() const { return offset_; }
   void set_offsets(const std::vector<double>& offsets) { offset_ = offsets; }  ///< as offsets() gave them
+
+  /// The values of a vector of unknowns, the same on every rank (checkpoint.hpp), and the vector of such values; null
+  /// of none. Collective.
+  std::vector<double> gather(const Vector& z) const;
+  RCP<Vector> scatter(const std::vector<double>& values) const;
+  /// What is remembered between steps, at the accepted z at which the next one begins. Collective.
+  EquilibriumMemory memory(const Vector& z) const;
+  /// Remembers that again, in equations that were set up from the same start. Returns z. Collective.
+  RCP<Vector> resume(const EquilibriumMemory& memory);
+
   /// Multipliers that balance the present strain forces at touching nodes, which are put onto the surface if they
   /// press it. Collective.
   void balance_multipliers(Vector& z, double s);

@@ -1,5 +1,6 @@
 #include "equilibrium_group.hpp"
 
+#include <LOCA_GlobalData.H>
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <utility>
 
@@ -16,6 +17,11 @@ RCP<NOX::Thyra::Vector> wrap(const RCP<Vector>& v) {
 
 }  // namespace
 
+GlobalData::GlobalData(const RCP<Teuchos::ParameterList>& list) : data_(LOCA::createGlobalData(list)) {}
+GlobalData::~GlobalData() {
+  LOCA::destroyGlobalData(data_);
+}
+
 const Vector& EquilibriumGroup::tpetra(const NOX::Abstract::Vector& v) {
   const auto& wrapped = dynamic_cast<const NOX::Thyra::Vector&>(v);
   return *Extraction::getConstTpetraVector(wrapped.getThyraRCPVector());
@@ -27,10 +33,9 @@ Vector& EquilibriumGroup::tpetra(NOX::Abstract::Vector& v) {
 }
 
 EquilibriumGroup::EquilibriumGroup(const RCP<LOCA::GlobalData>& global, std::shared_ptr<Equilibrium> equilibrium,
-                                   const Vector& start, double s, std::shared_ptr<StepHooks> hooks)
+                                   const Vector& start, double s)
     : LOCA::Abstract::Group(global),
       equilibrium_(std::move(equilibrium)),
-      hooks_(std::move(hooks)),
       x_(wrap(rcp(new Vector(start, Teuchos::Copy)))),
       f_(wrap(rcp(new Vector(start.getMap())))),
       newton_(wrap(rcp(new Vector(start.getMap())))) {
@@ -40,7 +45,6 @@ EquilibriumGroup::EquilibriumGroup(const RCP<LOCA::GlobalData>& global, std::sha
 EquilibriumGroup::EquilibriumGroup(const EquilibriumGroup& source, NOX::CopyType type)
     : LOCA::Abstract::Group(source, type),
       equilibrium_(source.equilibrium_),
-      hooks_(source.hooks_),
       parameters_(source.parameters_),
       x_(rcp(new NOX::Thyra::Vector(*source.x_, type))),
       f_(rcp(new NOX::Thyra::Vector(*source.f_, type))),
@@ -150,10 +154,6 @@ void EquilibriumGroup::setParam(int id, double value) {
 void EquilibriumGroup::setParam(std::string id, double value) {
   invalidate();
   parameters_.setValue(id, value);
-}
-
-void EquilibriumGroup::postProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus status) {
-  hooks_->after(tpetra(*x_), parameter(), status == LOCA::Abstract::Iterator::Successful);
 }
 
 }  // namespace toile::solve

@@ -4,23 +4,30 @@
 #include <LOCA_Parameter_Vector.H>
 #include <NOX_Thyra_Vector.H>
 
-#include <functional>
 #include <memory>
 
 #include "equilibrium.hpp"
 
 namespace toile::solve {
 
-/// What the stage wants to know of LOCA's progress.
-struct StepHooks {
-  std::function<void(const Vector& z, double s, bool converged)> after;  ///< a step ended at z
+/// What every group of LOCA needs, and what must be destroyed after it.
+class GlobalData {
+ public:
+  explicit GlobalData(const RCP<Teuchos::ParameterList>& list);
+  GlobalData(const GlobalData&) = delete;
+  GlobalData& operator=(const GlobalData&) = delete;
+  ~GlobalData();
+  const RCP<LOCA::GlobalData>& get() const { return data_; }
+
+ private:
+  RCP<LOCA::GlobalData> data_;
 };
 
 /// The equilibrium as NOX and LOCA see it: a residual, a tangent with its solve, and one parameter s.
 class EquilibriumGroup : public LOCA::Abstract::Group {
  public:
   EquilibriumGroup(const RCP<LOCA::GlobalData>& global, std::shared_ptr<Equilibrium> equilibrium, const Vector& start,
-                   double s, std::shared_ptr<StepHooks> hooks);
+                   double s);
   EquilibriumGroup(const EquilibriumGroup& source, NOX::CopyType type);
 
   Equilibrium& equilibrium() const { return *equilibrium_; }
@@ -61,7 +68,6 @@ class EquilibriumGroup : public LOCA::Abstract::Group {
   const LOCA::ParameterVector& getParams() const override { return parameters_; }
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string id) const override { return parameters_.getValue(id); }
-  void postProcessContinuationStep(LOCA::Abstract::Iterator::StepStatus status) override;
   void projectToDraw(const NOX::Abstract::Vector&, double*) const override {}
   int projectToDrawDimension() const override { return 0; }
   void printSolution(const double) const override {}
@@ -70,7 +76,6 @@ class EquilibriumGroup : public LOCA::Abstract::Group {
   void invalidate();
 
   std::shared_ptr<Equilibrium> equilibrium_;
-  std::shared_ptr<StepHooks> hooks_;
   LOCA::ParameterVector parameters_;
   RCP<NOX::Thyra::Vector> x_, f_, newton_;
   bool has_f_ = false, has_jacobian_ = false, has_newton_ = false;

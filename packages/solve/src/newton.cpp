@@ -31,7 +31,7 @@ NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic&
   last_ = group.equilibrium().imbalance(EquilibriumGroup::tpetra(group.getF()));
   status_ = NOX::StatusTest::Unconverged;
   if (last_.relative() <= options_.tolerance && last_.gap <= options_.gap_tolerance)
-    status_ = !judge_ || judge_(EquilibriumGroup::tpetra(group.getX()), group.parameter(), iterations_)
+    status_ = !accepts_ || accepts_(EquilibriumGroup::tpetra(group.getX()), group.parameter(), iterations_)
                   ? NOX::StatusTest::Converged
                   : NOX::StatusTest::Failed;
   else if (!std::isfinite(last_.force) || !std::isfinite(last_.gap) || iterations_ >= options_.max_iterations)

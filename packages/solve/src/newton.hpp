@@ -5,10 +5,10 @@
 #include <NOX_StatusTest_Generic.H>
 #include <NOX_Utils.H>
 
-#include <functional>
 #include <ostream>
 #include <utility>
 
+#include "continuation.hpp"
 #include "equilibrium_group.hpp"
 
 namespace toile::solve {
@@ -18,13 +18,11 @@ const EquilibriumGroup& unwrap(const NOX::Abstract::Group& group);
 const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector);
 
 /// Converged: relative force residual and contact gap are below their tolerances. Failed: too many iterations, not a
-/// number, or refused by the judge.
+/// number, or refused.
 class BalanceTest : public NOX::StatusTest::Generic {
  public:
-  /// Whether what converged in so many iterations counts; without it everything does.
-  using Judge = std::function<bool(const Vector& z, double s, int iterations)>;
-
-  explicit BalanceTest(const NewtonOptions& options, Judge judge = {}) : options_(options), judge_(std::move(judge)) {}
+  explicit BalanceTest(const NewtonOptions& options, AcceptsStep accepts = {})
+      : options_(options), accepts_(std::move(accepts)) {}
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int indent = 0) const override;
@@ -33,7 +31,7 @@ class BalanceTest : public NOX::StatusTest::Generic {
 
  private:
   NewtonOptions options_;
-  Judge judge_;
+  AcceptsStep accepts_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   Imbalance last_;
   int iterations_ = 0;

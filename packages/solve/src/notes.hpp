@@ -23,6 +23,15 @@ class Notes {
   void add(const std::string& note) { all_.push_back(note); }
   const std::vector<std::string>& all() const { return all_; }
 
+  /// The stage's pins: how many notes are before them, and how many they are.
+  int first_pin() const { return static_cast<int>(first_pin_); }
+  int pins() const { return static_cast<int>(pins_); }
+  void resume(const std::vector<std::string>& all, int first_pin, int pins) {
+    all_ = all;
+    first_pin_ = static_cast<std::size_t>(first_pin);
+    pins_ = static_cast<std::size_t>(pins);
+  }
+
  private:
   std::vector<std::string> all_;
   std::size_t first_pin_ = 0, pins_ = 0;

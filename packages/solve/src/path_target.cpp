@@ -41,6 +41,18 @@ bool TargetSearch::passed(const Vector& z, double s) {
   return (value_before_ - target_.value) * (value_after_ - target_.value) <= 0.0;
 }
 
+TargetMemory TargetSearch::memory() const {
+  const auto values = [&](const PathPoint& p) { return p.z.is_null() ? Unknowns() : equilibrium_->gather(*p.z); };
+  return {values(before_), values(after_), before_.s, after_.s, value_before_, value_after_};
+}
+
+void TargetSearch::resume(const TargetMemory& memory) {
+  before_ = {equilibrium_->scatter(memory.before), memory.s_before};
+  after_ = {equilibrium_->scatter(memory.after), memory.s_after};
+  value_before_ = memory.value_before;
+  value_after_ = memory.value_after;
+}
+
 double TargetSearch::slope(const PathPoint& at, const Vector& dz, double ds) {
   constexpr double far = 1e-4;  // mm
   const double size = std::max(dz.normInf(), std::abs(ds));

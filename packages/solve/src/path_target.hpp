@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "continuation.hpp"
+#include "toile/solve/checkpoint.hpp"
 
 namespace toile::solve {
 
@@ -25,6 +26,9 @@ class TargetSearch {
   std::optional<PathPoint> find();
   /// The state near a point, for instance after the thickness of shells was updated.
   std::optional<PathPoint> find_near(const PathPoint& start);
+
+  TargetMemory memory() const;
+  void resume(const TargetMemory& memory);
 
  private:
   double measure(const Vector& z, double s);

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "furthest_move.hpp"
+
 namespace toile::solve {
 
 namespace {
@@ -86,25 +88,53 @@ bool PathWatch::accepted(const Vector& z, double s) {
 bool PathWatch::note(const Vector& z, double s) {
   constexpr double counts = 1e-3;  // mm; less is round-off of a garment that rests
   const State before = equilibrium_->state(*last_, s_), after = equilibrium_->state(z, s);
-  const bool sews = stage_.type == StageType::sew;
-  const Jump jump{sews ? before.seam : before.load, sews ? after.seam : after.load, furthest_move(before, after)};
-  if (jump.move.distance < counts) return false;
-  if (!largest_ || jump.move.distance > largest_->move.distance) largest_ = jump;
-  if (++jumps_ == 1) first_ = jump.from;
-  end_ = jump.to;
+  const double from = stage_.kind->reached(before), to = stage_.kind->reached(after);
+  const FurthestMove move = furthest_move(before, after);
+  if (move.distance < counts) return false;
+  if (!jumps_.has_largest || move.distance > jumps_.distance) {
+    jumps_.has_largest = true;
+    jumps_.from = from;
+    jumps_.to = to;
+    jumps_.distance = move.distance;
+    jumps_.at = move.at;
+  }
+  if (++jumps_.count == 1) jumps_.first = from;
+  jumps_.end = to;
   return true;
 }
 
+WatchMemory PathWatch::memory() const {
+  WatchMemory memory;
+  const auto values = [&](const RCP<const Vector>& v) { return v.is_null() ? Unknowns() : equilibrium_->gather(*v); };
+  memory.start = values(start_);
+  memory.last = values(last_);
+  memory.change = values(change_);
+  memory.s = s_;
+  memory.interval = interval_;
+  memory.found = jumps_;
+  return memory;
+}
+
+void PathWatch::resume(const WatchMemory& memory) {
+  start_ = equilibrium_->scatter(memory.start);
+  last_ = equilibrium_->scatter(memory.last);
+  change_ = equilibrium_->scatter(memory.change);
+  s_ = memory.s;
+  interval_ = memory.interval;
+  jumps_ = memory.found;
+}
+
 std::string PathWatch::warning() const {
-  if (!largest_) return {};
-  const bool sews = stage_.type == StageType::sew, damped = stage_.damping.active;
-  const Vec3& at = largest_->move.at;
+  if (!jumps_.has_largest) return {};
+  const bool sews = stage_.kind->closes_seams(), damped = stage_.damping.active;
+  const Vec3& at = jumps_.at;
   std::ostringstream out;
-  out << "between " << (sews ? "closing " : "load ") << largest_->from << " and " << largest_->to
+  out << "between " << stage_.kind->measure() << " " << jumps_.from << " and " << jumps_.to
       << " the garment left its path of equilibria and jumped to another branch: the point at (" << at[0] << ", "
-      << at[1] << ", " << at[2] << ") mm moved by " << largest_->move.distance << " mm at once";
+      << at[1] << ", " << at[2] << ") mm moved by " << jumps_.distance << " mm at once";
   if (!damped) out << ", which shorter steps do not follow";
-  if (jumps_ > 1) out << " (the largest of " << jumps_ << " jumps between " << first_ << " and " << end_ << ")";
+  if (jumps_.count > 1)
+    out << " (the largest of " << jumps_.count << " jumps between " << jumps_.first << " and " << jumps_.end << ")";
   out << ". The states after it are equilibria, but which branch is met depends on the steps";
   if (damped)
     out << " and the damping, with which such a jump is dynamic. Try another \"first step\" and \"fraction\"";

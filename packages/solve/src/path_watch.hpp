@@ -1,11 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "continuation.hpp"
-#include "furthest_move.hpp"
+#include "toile/solve/checkpoint.hpp"
 
 namespace toile::solve {
 
@@ -28,6 +27,9 @@ class PathWatch {
   /// What is to be said of the stage's jumps; empty: there are none.
   std::string warning() const;
 
+  WatchMemory memory() const;
+  void resume(const WatchMemory& memory);
+
  private:
   /// How far (z, s) lies from where the last secant points, over the length of the predicted step; 0: not known.
   double bend(const Vector& z, double s) const;
@@ -36,10 +38,6 @@ class PathWatch {
   /// False: the garment did not move, which is no jump.
   bool note(const Vector& z, double s);
 
-  struct Jump {
-    double from, to;  ///< loads (or closings)
-    FurthestMove move;
-  };
   std::shared_ptr<Equilibrium> equilibrium_;
   StageOptions stage_;
   NewtonOptions options_;
@@ -48,9 +46,7 @@ class PathWatch {
   RCP<const Vector> change_;  ///< from the one before, the last step; null: not known
   double s_ = 0.0, interval_ = 0.0;
   bool left_ = false;
-  std::optional<Jump> largest_;
-  int jumps_ = 0;
-  double first_ = 0.0, end_ = 0.0;  ///< where the first began and the last ended
+  FoundSteps jumps_;
 };
 
 }  // namespace toile::solve

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "furthest_move.hpp"
 #include "simulation_data.hpp"
 #include "toile/base/error.hpp"
 
@@ -35,11 +36,23 @@ void Simulation::set_state(const State& state) {
   data_->state = state;
   data_->started = true;
 }
+void Simulation::resume(const Checkpoint& from) {
+  data_->resume(from);
+}
+Checkpoint Simulation::checkpoint() const {
+  return data_->checkpoint();
+}
+int Simulation::stages_behind() const {
+  return data_->stages_behind;
+}
 const State& Simulation::state() const {
   return data_->state;
 }
 const SolveStatistics& Simulation::statistics() const {
   return data_->statistics;
+}
+const std::string& Simulation::stopped() const {
+  return data_->watch.stopped();
 }
 const std::vector<std::string>& Simulation::notes() const {
   return data_->notes.all();
@@ -48,14 +61,12 @@ const std::vector<std::string>& Simulation::warnings() const {
   return data_->warnings;
 }
 
-void Simulation::Data::build() {
+// What a stage begins with, and goes on with.
+void Simulation::Data::begin() {
   released.insert(stage.released.begin(), stage.released.end());
-  drive = {state.seam, state.seam, state.load, state.load};
-  if (stage.type == StageType::sew) drive.seam_end = stage.target;
-  if (stage.type == StageType::load) drive.load_end = stage.target;
   notes.start_stage();
   watch.start_stage(stage);
-  stage_start = state;
+  phase = StagePhase::path;
   relaxing = false;
   lost_ellipticity = false;
   stabilised = 0.0;
@@ -63,19 +74,30 @@ void Simulation::Data::build() {
   damped_watch.reset();
   if (stage.damping.active) damped_watch.emplace(stage);
   earlier_steps = statistics.steps;
-  assemble(state, near_body(problem, state));
+  reached = 0.0;
+}
+
+void Simulation::Data::build() {
+  stage_start = state;
+  drive = stage.kind->drive(stage, stage_start);
+  assemble(state, null_motions(state, near_body(problem, state)));
   equilibrium->update_thickness(*z, 0.0, 0.0);
   if (!started) equilibrium->balance_multipliers(*z, 0.0);
   started = true;
-  reached = 0.0;
   equilibrium->start_step(*z, 0.0);
+  if (stage.kind->has_path()) start_path();
 }
 
-// The equations of the stage, from a state whose motions the `guided` clusters resist.
-void Simulation::Data::assemble(const State& from, const std::vector<bool>& guided) {
+// Of a state whose motions the `guided` clusters resist.
+std::vector<NullMotion> Simulation::Data::null_motions(const State& from, const std::vector<bool>& guided) const {
+  return find_null_motions(problem, from, find_held(problem, from, released), drive.seam_end >= 1.0, guided);
+}
+
+// The equations of the stage.
+void Simulation::Data::assemble(const State& from, const std::vector<NullMotion>& motions) {
   failed.reset();
   held = find_held(problem, from, released);
-  pinned = find_null_motions(problem, from, held, drive.seam_end >= 1.0, guided);
+  pinned = motions;
   std::vector<std::string> pins;
   for (const NullMotion& motion : pinned) {
     HeldComponent pin;
@@ -148,11 +170,21 @@ StepReport Simulation::Data::accept(double s, const Imbalance& imbalance, bool u
   if (equilibrium->damping() > 0.0 && moved)
     adapt_damping(*equilibrium, stage.damping, largest_energy, report.strain_energy - last_energy, now, iterations);
   last_energy = report.strain_energy;
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = seconds();
   iterations = cut_backs = 0;
   watch.set_cut_backs(0);
-  if (observer) observer(report, state);
+  equilibrium->renew_factorisation();  // the next step depends on its start alone
   return report;
+}
+
+double Simulation::Data::seconds() const {
+  return earlier_seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The run can be resumed from here.
+void Simulation::Data::publish(const StepReport& report) {
+  reports.push_back(report);
+  if (observer) observer(report, state);
 }
 
 void Simulation::Data::count_pivots(double s, StepReport& report) {
@@ -178,15 +210,25 @@ void Simulation::Data::fail(const Attempt& attempt) {
 
 void Simulation::run(const StageOptions& stage) {
   Data& d = *data_;
+  if (d.stages_run++ < d.stages_behind) return;
   d.stage = stage;
-  d.build();
-  if (stage.type != StageType::settle) d.march();
+  if (d.resumed) {
+    d.rebuild(*d.resumed);
+    d.resumed.reset();
+  } else {
+    d.begin();
+    d.build();
+  }
+  if (stage.kind->has_path()) d.march();
   if (!d.conclude()) throw base::SolveError(d.end_failure());
   d.check_pins();
   Vector f(d.z->getMap());
   d.equilibrium->residual(*d.z, 1.0, f);
-  d.judge(d.accept(1.0, d.equilibrium->imbalance(f), true));
+  const StepReport last = d.accept(1.0, d.equilibrium->imbalance(f), true);
+  d.judge(last);
   d.count_linear_work();
+  d.phase = StagePhase::finished;
+  d.publish(last);
 }
 
 }  // namespace toile::solve

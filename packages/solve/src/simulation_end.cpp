@@ -1,6 +1,7 @@
 // The final state of a stage.
 #include <sstream>
 
+#include "furthest_move.hpp"
 #include "simulation_data.hpp"
 #include "toile/base/error.hpp"
 
@@ -65,13 +66,11 @@ bool Simulation::Data::conclude() {
   for (int round = 0; round < most_rounds; ++round) {
     if (!come_to_rest()) return false;
     const State now = equilibrium->state(*z, 1.0);
-    const std::vector<bool> guided = in_contact(now);
-    if (find_null_motions(problem, now, find_held(problem, now, released), drive.seam_end >= 1.0, guided).size() ==
-        pinned.size())
-      return true;
+    const std::vector<NullMotion> motions = null_motions(now, in_contact(now));
+    if (motions.size() == pinned.size()) return true;
     count_linear_work();
     drive = {drive.seam_end, drive.seam_end, drive.load_end, drive.load_end};
-    assemble(now, guided);
+    assemble(now, motions);
     equilibrium->start_step(*z, 1.0);
   }
   return false;

@@ -4,10 +4,18 @@
 
 namespace toile::solve {
 
-bool Simulation::Data::record(const Attempt& attempt) {
+namespace {
+constexpr double round_off = 1e-12;
+}
+
+void Simulation::Data::count(const Attempt& attempt) {
   iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;
-  attempts += attempt.s > 0.0 || statistics.steps > earlier_steps ? 1 : 0;  // not the equilibrium that it starts from
+}
+
+// False: the path is given up here, or has arrived.
+bool Simulation::Data::record(const Attempt& attempt) {
+  count(attempt);
   if (!attempt.converged) {
     if (!watch.stopped().empty()) return false;
     ++cut_backs;
@@ -17,11 +25,14 @@ bool Simulation::Data::record(const Attempt& attempt) {
     if (stage.damping.active) stiffen_damping(*equilibrium);
     return true;
   }
+  const RCP<const Vector> before = z;
+  const double s_before = reached;
+  const bool first = statistics.steps == earlier_steps;
   z = attempt.z;
-  constexpr double round_off = 1e-12;
   if (target && target->passed(*z, attempt.s) && arrive()) return false;
-  if (!target && attempt.s > 1.0 + round_off) return true;  // along the arc LOCA oversteps the end and comes back to it
-  accept(attempt.s, attempt.imbalance, false);
+  const StepReport report = accept(attempt.s, attempt.imbalance, false);
+  if (!first) path->go_on(*before, s_before, attempt);
+  publish(report);
   equilibrium->update_thickness(*z, attempt.s, 0.0);
   return true;
 }
@@ -40,43 +51,74 @@ bool Simulation::Data::arrive() {
   z = rcp(new Vector(*end->z, Teuchos::Copy));
   Vector f(z->getMap());
   equilibrium->residual(*z, end->s, f);
-  accept(end->s, equilibrium->imbalance(f), false);
-  arrived = true;
+  const StepReport report = accept(end->s, equilibrium->imbalance(f), false);
+  phase = StagePhase::arrived;
+  publish(report);
   count_linear_work();
-  drive = {state.seam, state.seam, state.load, state.load};
-  assemble(state, in_contact(state));
-  equilibrium->start_step(*z, 1.0);
+  hold_load();
   return true;
 }
 
-void Simulation::Data::march() {
-  if (stage.damping.active) choose_damping(*equilibrium, stage, z, solver());
-  PathHooks hooks;
-  hooks.report = [this](const Attempt& attempt) { return record(attempt); };
-  if (!stage.arc_length) {
-    path_watch.emplace(equilibrium, stage, options.newton);
-    hooks.accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
-  }
+// The stage goes on at the load of its state.
+void Simulation::Data::hold_load() {
+  drive = {state.seam, state.seam, state.load, state.load};
+  assemble(state, null_motions(state, in_contact(state)));
+  equilibrium->start_step(*z, 1.0);
+}
+
+void Simulation::Data::start_path() {
+  AcceptsStep accepts;
   if (stage.arc_length) {
     arc_watch.emplace(equilibrium, stage);
-    hooks.accepts = [this](const Vector& at, double, int) { return arc_watch->accepts(at); };
+    accepts = [this](const Vector& at, double, int) { return arc_watch->accepts(at); };
+  } else {
+    path_watch.emplace(equilibrium, stage, options.newton);
+    accepts = [this](const Vector& at, double s, int n) { return path_watch->accepts(at, s, n); };
   }
-  arrived = false;
-  attempts = 0;
   if (stage.until) target.emplace(problem, equilibrium, *stage.until, options.newton);
   // A damped first step is found from its start (choose_damping): the tangent of a garment that only damping holds
   // leads anywhere.
   const bool tangent_first = problem.surface == nullptr && !stage.damping.active;
-  follow_path(equilibrium, stage, options.newton, tangent_first, *z, hooks);
+  path = make_path(equilibrium, stage, options.newton, tangent_first, accepts);
+}
+
+// The equilibrium at its start. False: there is none.
+bool Simulation::Data::begin_path() {
+  if (stage.damping.active) choose_damping(*equilibrium, stage, z, solver());
+  const Attempt first = solve_at(equilibrium, stage, options.newton, *z, 0.0);
+  return record(first) && first.converged;
+}
+
+// Along the arc the load may go beyond the stage's end before it is at it.
+bool Simulation::Data::oversteps(const Attempt& attempt) const {
+  return !stage.until && attempt.converged && attempt.s > 1.0 + round_off;
+}
+
+void Simulation::Data::follow_path() {
+  while (phase == StagePhase::path && (stage.until || reached < 1.0 - round_off)) {
+    if (path->attempts() >= stage.max_steps) return;
+    bool lands = path->is_at_end(reached);
+    Attempt attempt = lands ? path->land(*z) : path->step(*z, reached);
+    if (oversteps(attempt)) {
+      count(attempt);
+      if (path->attempts() >= stage.max_steps) return;
+      lands = true;
+      attempt = path->land(*attempt.z);
+    }
+    if (!record(attempt)) return;
+    if (!attempt.converged && (lands || !path->shorten())) return;
+  }
+}
+
+void Simulation::Data::march() {
+  if (phase == StagePhase::path && (statistics.steps > earlier_steps || begin_path())) follow_path();
   for (const std::string& text : {path_watch ? path_watch->warning() : "", arc_watch ? arc_watch->warning() : ""})
     if (!text.empty()) warnings.push_back(where() + text);
   if (path_watch && damped_watch && !path_watch->warning().empty()) damped_watch->leave_snaps();
   path_watch.reset();
   arc_watch.reset();
   target.reset();
-  constexpr double round_off = 1e-12;
-  if (arrived || (!stage.until && reached >= 1.0 - round_off))
-    return;  // LOCA's status calls it a failure if the last allowed step gets there
+  if (phase == StagePhase::arrived || (!stage.until && reached >= 1.0 - round_off)) return;
   tell_of_damping();
   throw base::SolveError(path_failure());
 }

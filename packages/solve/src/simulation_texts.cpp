@@ -83,11 +83,8 @@ void Simulation::Data::judge(const StepReport& last) {
 
 std::string Simulation::Data::path_failure() {
   std::ostringstream message;
-  message << "stage \"" << stage.name << "\" could not reach its end: it stopped at ";
-  if (stage.type == StageType::sew)
-    message << state.seam * 100.0 << " % of the seams' closing";
-  else
-    message << "load " << state.load << (stage.arc_length ? " on its path, target " : " of ") << stage.target;
+  message << "stage \"" << stage.name << "\" could not reach its end: it stopped at "
+          << stage.kind->reached_text(stage, state);
   if (stage.until)
     message << " (and before \"Until\" " << stage.until->value
             << (stage.until->volume ? " mm^3" : " on " + stage.until->on) << ")";
@@ -97,8 +94,8 @@ std::string Simulation::Data::path_failure() {
   }
   if (statistics.steps == earlier_steps) {
     message << ", and no step of it was accepted.";
-  } else if (attempts >= stage.max_steps || cut_backs == 0) {
-    message << ", after " << attempts
+  } else if (path->attempts() >= stage.max_steps || cut_backs == 0) {
+    message << ", after " << path->attempts()
             << " steps (cut-backs included), its \"most steps\". Allow it more, or larger ones (\"largest "
             << "step\", now " << stage.largest_step << ").";
     return message.str();

@@ -27,6 +27,9 @@ class Watch {
 
   /// After an iteration at s. Collective. False: give up.
   bool go_on(int iteration, double s, double residual, double gap);
+  /// Since the stage began.
+  int iterations() const { return iterations_; }
+  void set_iterations(int iterations) { iterations_ = iterations; }
   /// [iteration] relative force residuals of the last attempt.
   const std::vector<double>& residuals() const { return residuals_; }
   /// Why the stage has to end before its time, or empty.

@@ -53,6 +53,10 @@ class ExodusWriter {
   ExodusWriter(const std::string& path, const mesh::Mesh& garment, const body::TriangleMesh* body,
                const FieldNames& fields);
 
+  /// Before the first step: goes on with the file that is there, after the first `steps` of its steps; later ones are
+  /// dropped. Throws InputError if it is of another garment or body, has other fields, or holds fewer steps.
+  void go_on(int steps);
+
   /// Appends a step. `time` must increase. Throws InputError if the file cannot be written (disk full, file removed),
   /// Error (internal) if a declared field is missing, has the wrong size, or was not declared.
   void write_step(double time, const StepData& data);

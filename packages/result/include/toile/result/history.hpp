@@ -17,11 +17,14 @@ class History {
   /// Appends one value to each column, in their order. Throws InputError if the file cannot be written,
   /// Error (internal) if the number of values is not that of the columns.
   void append(const std::vector<double>& row);
+  /// Appends rows that an earlier file has, all at once.
+  void restore(const std::vector<std::vector<double>>& rows);
 
   int rows() const { return rows_; }
   const std::string& path() const { return path_; }
 
  private:
+  void add(const std::vector<double>& row);
   void write() const;
 
   std::string path_;

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "toile/base/timer.hpp"
 #include "toile/run/pressure_report.hpp"
+#include "toile/scene/fingerprint.hpp"
 #include "toile/scene/scene.hpp"
+#include "toile/solve/checkpoint.hpp"
 #include "toile/solve/fields.hpp"
 #include "toile/solve/simulation.hpp"
 
@@ -35,14 +39,26 @@ class Record {
   /// Pressure at the levels and along the axis, likewise. Throws Error (internal) before the first step.
   const PressureReport& pressure() const;
 
+  /// From which the run goes on after the last accepted step. Throws Error (internal) before the first step.
+  const solve::Checkpoint& checkpoint() const;
+  /// Of the scene, once the run has begun.
+  const scene::Fingerprint& fingerprint() const { return fingerprint_; }
+
   /// As of the last stage that ended or failed.
   const solve::SolveStatistics& statistics() const { return statistics_; }
   /// What is good to know of the run, and what limits the trust in its result.
   const std::vector<std::string>& notes() const { return notes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Why a stage had to end before its time, although it might go on; empty: none had to.
+  const std::string& stopped() const { return stopped_; }
 
-  /// A step was accepted.
-  void add(const solve::StepReport& report, const solve::State& state);
+  /// A step was accepted, from which the run can go on.
+  void add(const solve::StepReport& report, const solve::State& state, solve::Checkpoint checkpoint);
+  /// The run begins.
+  void identify(scene::Fingerprint fingerprint) { fingerprint_ = std::move(fingerprint); }
+  /// It goes on after the steps of an earlier one, with their displacements of points and their distances.
+  void resume(solve::Checkpoint checkpoint, std::vector<std::vector<solve::Vec3>> points,
+              std::vector<std::vector<double>> distances);
   /// A stage ended or failed.
   void follow(const solve::Simulation& simulation);
 
@@ -55,6 +71,9 @@ class Record {
   std::vector<std::vector<double>> distances_;
   solve::SolveStatistics statistics_;
   std::vector<std::string> notes_, warnings_;
+  std::string stopped_;
+  scene::Fingerprint fingerprint_;
+  std::optional<solve::Checkpoint> checkpoint_;
   mutable std::shared_ptr<const solve::Fields> fields_;  ///< null: not asked for in this state
   mutable std::unique_ptr<PressureReport> pressure_;     ///< likewise
 };

@@ -54,6 +54,11 @@ class Session {
   /// `wanted` is asked on every rank after each iteration: empty, or why the run is to end. Then its stage fails.
   void stop_when(std::function<std::string()> wanted) { wanted_ = std::move(wanted); }
 
+  /// Before run(): goes on after the last step of an earlier run of this scene, from its restart.h5. The outputs go on
+  /// with the files of that run. Throws base::InputError, on every rank, if the file cannot be used or is of another
+  /// scene (scene::differences). Collective.
+  void resume(const std::string& restart_file);
+
   /// Tells the start and refuses it if it cannot be wanted, then takes the garment through every stage. Once a session.
   /// Throws base::InputError, base::SolveError, or what an observer threw; the record then ends with the last accepted
   /// step.
@@ -65,6 +70,7 @@ class Session {
     base::List list;
   };
   Session(Input input, const Options& options);
+  void identify();
   void run_stages();
   void run_stage(solve::Simulation& simulation, const solve::StageOptions& stage);
   void watch(solve::Simulation& simulation);
@@ -85,7 +91,7 @@ class Session {
   std::exception_ptr pending_;        ///< of an observer of iterations, until its stage has ended
   const Observer* failed_ = nullptr;  ///< threw on this rank
   bool alike_ = false;                ///< the error that ends the run is one of every rank
-  bool ran_ = false;
+  bool ran_ = false, resumed_ = false;
 };
 
 /// Prints what is said of a start, and throws base::InputError for what cannot be wanted.

@@ -27,11 +27,7 @@ struct DampingOptions {
   double limit = 0.05;     ///< accumulated dissipation over the largest strain energy that is still called quasi-static
 };
 
-enum class StageType {
-  sew,    ///< closes the seams
-  load,   ///< moves the supports and applies the loads
-  settle  ///< finds the equilibrium at fixed seams, supports and loads
-};
+class StageKind;
 
 /// Where a path of arc length ends: a quantity has this value.
 struct PathTarget {
@@ -45,8 +41,8 @@ struct PathTarget {
 
 struct StageOptions {
   std::string name;
-  StageType type = StageType::settle;
-  double target = 1.0;  ///< load (or closing of the seams) at the end
+  const StageKind* kind = nullptr;  ///< what happens in it, see stage_kind.hpp
+  double target = 1.0;              ///< load (or closing of the seams) at the end
   double first_step = 0.1;
   double smallest_step = 1e-4;
   double largest_step = 0.5;

@@ -82,6 +82,8 @@ struct SolveStatistics {
   double contact_stiffness = 0.0;  ///< N/mm
 };
 
+struct Checkpoint;
+
 /// Runs the stages of a scene. Collective over MPI's world; the problem is the same on every rank.
 class Simulation {
  public:
@@ -99,14 +101,25 @@ class Simulation {
   void stop_when(std::function<std::string()> wanted);
   /// Starts from a configuration that is not in equilibrium; contact forces are estimated from it.
   void set_start(const State& state);
-  /// Continues from a converged state with its contact forces (restart).
+  /// Starts from a converged state with its contact forces.
   void set_state(const State& state);
+  /// Goes on after the step of a checkpoint (checkpoint.hpp), before any stage is run: run() passes over the stages
+  /// that are behind it, and goes on inside the one that it belongs to. Throws base::InputError if it is not of this
+  /// garment.
+  void resume(const Checkpoint& from);
   /// Takes the garment through one stage. Throws base::SolveError if its end cannot be reached; state() is then the
   /// last converged one.
   void run(const StageOptions& stage);
 
+  /// From which a run goes on after the last accepted step; to be asked for by an observer of steps, or between stages.
+  Checkpoint checkpoint() const;
+  /// Stages that a resumed run has behind it.
+  int stages_behind() const;
+
   const State& state() const;
   const SolveStatistics& statistics() const;
+  /// Why a stage had to end before its time (a wish, a limit of time or iterations); empty: none had to.
+  const std::string& stopped() const;
   /// What is good to know: null motions that were held.
   const std::vector<std::string>& notes() const;
   /// What limits the trust in the result: a path that was not quasi-static, an end that is not stable.
