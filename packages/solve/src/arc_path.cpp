@@ -9,7 +9,9 @@
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "newton.hpp"

@@ -1,5 +1,6 @@
 // What an equilibrium remembers between steps, as plain values that are the same on every rank.
 #include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
 
 #include "equilibrium.hpp"
 #include "toile/solve/checkpoint.hpp"
