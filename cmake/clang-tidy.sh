@@ -33,7 +33,7 @@ originals() { light "$1" | sed "s|.*|#include \"$PWD/&\"|"; }
 
 flags="$(grep -ohE -- '-(I|isystem )[^ "]+' build/release/compile_commands.json | sort -u)"
 # Texts that the build defines: which ones does not matter here.
-definitions='-DTOILE_VERSION="" -DTOILE_SOURCE_DIR="" -DTOILE_PROGRAM="" -DTOILE_MPIEXEC="" -DTOILE_FULL_DISK="" -DTOILE_MESHER="" -DTOILE_HAS_BODY=1 -DTOILE_HAS_RESULT=1'
+definitions='-DTOILE_VERSION="" -DTOILE_SOURCE_DIR="" -DTOILE_PROGRAM="" -DTOILE_MPIEXEC="" -DTOILE_FULL_DISK="" -DTOILE_MESHER="" -DTOILE_EXAMPLE="" -DTOILE_HAS_BODY=1 -DTOILE_HAS_RESULT=1'
 checks=-bugprone-suspicious-include
 status=0
 for folder in "$@"; do
@@ -51,6 +51,6 @@ performance-unnecessary-copy-initialization,modernize-use-override"
   esac
   # shellcheck disable=SC2086  # every flag is a word of its own
   clang-tidy --quiet --config-file=.clang-tidy --checks="$checks" "$unit" -- \
-    -std=c++17 -fopenmp $flags -Itest "-I$folder" "-I$(dirname "$folder")" $definitions || status=1
+    -std=c++17 -fopenmp $flags -Itest "-I$folder" "-I$(dirname "$folder")" "-I$(dirname "$folder")/src" $definitions || status=1
 done
 exit "$status"

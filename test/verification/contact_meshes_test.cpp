@@ -146,8 +146,7 @@ TEST_P(PressureOnFreeMeshes, Converges) {
 
 INSTANTIATE_TEST_SUITE_P(Contact, PressureOnFreeMeshes,
                          testing::Values(Case{"quadrilaterals", "ellipse_free_nh"},
-                                         Case{"triangles", "ellipsoid_fix_nh"},
-                                         Case{"mixed", "ellipsoid_fix_nh"},
+                                         Case{"triangles", "ellipsoid_fix_nh"}, Case{"mixed", "ellipsoid_fix_nh"},
                                          Case{"graded triangles", "ellipsoid_fix_itskov"}),
                          test_name);
 

@@ -68,7 +68,8 @@ TEST_P(OnFreeMeshes, CookRefinedAtItsCornersConvergesWithSecondOrder) {
   std::array<double, 3> error;
   for (size_t level = 0; level < error.size(); ++level) {
     const double size = 4.0 / (1 << level), corner = std::pow(0.5, 1.75 * static_cast<double>(level));
-    const PlaneRun result = run_freely(cook_list(row, {}), {kind_, size, {0.0, 0.0, 0.0, 44.0, 48.0, 44.0, 48.0, 60.0}, corner});
+    const PlaneRun result =
+        run_freely(cook_list(row, {}), {kind_, size, {0.0, 0.0, 0.0, 44.0, 48.0, 44.0, 48.0, 60.0}, corner});
     error[level] = 1.0 - mean_edge_deflection(result) / cook_edge;
     print("Cook, free %-14s %g mm, %.2f mm at the corners: error of the edge's mean deflection %.4f %%\n",
           kind_.c_str(), size, corner, 100.0 * error[level]);
