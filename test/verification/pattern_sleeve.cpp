@@ -8,6 +8,7 @@
 
 #include "toile/body/analytic.hpp"
 #include "toile/material/relaxed_response.hpp"
+#include "toile/solve/stage_kind.hpp"
 
 namespace toile::test {
 namespace {
@@ -173,6 +174,7 @@ void PatternSleeve::settle() {
   simulation.set_start(start);
   solve::StageOptions stage;
   stage.name = "settle";
+  stage.kind = &solve::stage_kind("settle");
   const auto begin = Clock::now();
   simulation.run(stage);
   iteration_seconds = since(begin) / simulation.statistics().newton_iterations;

@@ -11,7 +11,7 @@
 namespace toile::solve {
 
 namespace {
-constexpr double round_off = 1e-15;
+constexpr double step_round_off = 1e-15;
 }
 
 Path::Path(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options,
@@ -37,7 +37,7 @@ void Path::clip() {
 void Path::aim(double s, double rate) {
   memory_.aimed = false;
   const double end = stage_.until ? std::numeric_limits<double>::infinity() : 1.0;
-  if (memory_.is_smallest || s + memory_.step * rate <= end * (1.0 - round_off)) return;
+  if (memory_.is_smallest || s + memory_.step * rate <= end * (1.0 - step_round_off)) return;
   memory_.step = (end - s) / rate;
   memory_.aimed = true;
 }

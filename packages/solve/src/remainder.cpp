@@ -9,14 +9,14 @@ namespace toile::solve {
 
 namespace {
 
-constexpr size_t per_cluster = 4;  // force and opening
+constexpr size_t left_per_cluster = 4;  // force and opening
 
 std::vector<double> local_values(const Layout& layout, const Vector& f, size_t clusters) {
-  std::vector<double> mine(per_cluster * clusters, 0.0);
+  std::vector<double> mine(left_per_cluster * clusters, 0.0);
   const auto data = f.getData();
   const size_t first = layout.dof_map->getNodeNumElements();
   for (int c = 0; c < layout.owned_clusters; ++c) {
-    double* at = &mine[per_cluster * static_cast<size_t>(layout.clusters[c])];
+    double* at = &mine[left_per_cluster * static_cast<size_t>(layout.clusters[c])];
     for (size_t d = 0; d < 3; ++d)
       if (layout.dof[c][d] >= 0) at[d] = data[layout.dof[c][d]];
     if (layout.contact) at[3] = std::abs(data[first + static_cast<size_t>(c)]);
@@ -38,7 +38,7 @@ Remainder remainder_of(Equilibrium& equilibrium, const Attempt& attempt, double 
   Teuchos::reduceAll(*layout.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
   Remainder left;
   for (size_t c = 0; c < clusters; ++c) {
-    const double* at = &all[per_cluster * c];
+    const double* at = &all[left_per_cluster * c];
     left.force.emplace_back(at[0], at[1], at[2]);
     left.opening.push_back(at[3]);
   }

@@ -209,6 +209,8 @@ void Simulation::Data::fail(const Attempt& attempt) {
 }
 
 void Simulation::run(const StageOptions& stage) {
+  if (stage.kind == nullptr)
+    throw base::Error(base::ExitCode::internal_error, "stage \"" + stage.name + "\" is of no kind");
   Data& d = *data_;
   if (d.stages_run++ < d.stages_behind) return;
   d.stage = stage;

@@ -5,7 +5,7 @@
 namespace toile::solve {
 
 namespace {
-constexpr double round_off = 1e-12;
+constexpr double end_round_off = 1e-12;
 }
 
 void Simulation::Data::count(const Attempt& attempt) {
@@ -91,11 +91,11 @@ bool Simulation::Data::begin_path() {
 
 // Along the arc the load may go beyond the stage's end before it is at it.
 bool Simulation::Data::oversteps(const Attempt& attempt) const {
-  return !stage.until && attempt.converged && attempt.s > 1.0 + round_off;
+  return !stage.until && attempt.converged && attempt.s > 1.0 + end_round_off;
 }
 
 void Simulation::Data::follow_path() {
-  while (phase == StagePhase::path && (stage.until || reached < 1.0 - round_off)) {
+  while (phase == StagePhase::path && (stage.until || reached < 1.0 - end_round_off)) {
     if (path->attempts() >= stage.max_steps) return;
     bool lands = path->is_at_end(reached);
     Attempt attempt = lands ? path->land(*z) : path->step(*z, reached);
@@ -118,7 +118,7 @@ void Simulation::Data::march() {
   path_watch.reset();
   arc_watch.reset();
   target.reset();
-  if (phase == StagePhase::arrived || (!stage.until && reached >= 1.0 - round_off)) return;
+  if (phase == StagePhase::arrived || (!stage.until && reached >= 1.0 - end_round_off)) return;
   tell_of_damping();
   throw base::SolveError(path_failure());
 }
