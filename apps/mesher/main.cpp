@@ -118,7 +118,7 @@ void set_sizes(const Area& area, const std::vector<std::vector<double>>& centres
     field::setNumber(threshold, "InField", distance);
     field::setNumber(threshold, "SizeMin", r.size);
     field::setNumber(threshold, "SizeMax", area.size);
-    field::setNumber(threshold, "DistMin", 0.0);
+    field::setNumber(threshold, "DistMin", std::min(r.size, 0.5 * r.distance));  // an element of that size fits
     field::setNumber(threshold, "DistMax", r.distance);
     all.push_back(threshold);
   }

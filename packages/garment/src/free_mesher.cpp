@@ -93,9 +93,11 @@ std::vector<mesh::Refinement> refinements_of(const base::List& panel, const Cut&
 double size_at(const Vec2& point, double size, const std::vector<mesh::Refinement>& refinements) {
   double least = size;
   for (const mesh::Refinement& finer : refinements) {
+    const double held = std::min(finer.size, 0.5 * finer.distance);  // around a point, as the mesher does
     double nearest = finer.distance;
     for (const Vec2& centre : finer.points) nearest = std::min(nearest, (centre - point).norm());
-    least = std::min(least, finer.size + (size - finer.size) * nearest / finer.distance);
+    const double part = std::max(0.0, nearest - held) / (finer.distance - held);
+    least = std::min(least, finer.size + (size - finer.size) * part);
   }
   return least;
 }

@@ -21,9 +21,12 @@ std::string mesher() {
   return fs::exists(beside, ignored) ? beside.string() : TOILE_MESHER;
 }
 
+// Numbers are rounded to 1e-9 mm: a mesh may be another one where its input differs by round-off, and this way it is
+// the same on every processor.
 std::string request(const FreeMeshInput& input) {
   std::ostringstream out;
-  out.precision(17);
+  out << std::fixed;
+  out.precision(9);
   const auto points = [&out](const std::vector<Vec2>& all) {
     out << all.size() << '\n';
     for (const Vec2& p : all) out << p.x() << ' ' << p.y() << '\n';
@@ -102,9 +105,12 @@ FreeMesh run_mesher(const FreeMeshInput& input, double most_seconds) {
   const base::ProcessEnd end = base::run_process({mesher()}, options);
   if (!end.found || end.out_of_time || end.status != 0) throw base::InputError(why_failed(end, most_seconds));
   FreeMesh mesh = read_mesh(end.output);
-  for (std::size_t k = 0; k < input.points.size(); ++k)
-    if (k >= mesh.nodes.size() || mesh.nodes[k] != input.points[k])
+  constexpr double rounded = 1e-8;  // mm
+  for (std::size_t k = 0; k < input.points.size(); ++k) {
+    if (k >= mesh.nodes.size() || (mesh.nodes[k] - input.points[k]).norm() > rounded)
       throw base::InputError("the mesher moved or lost a node of the outline");
+    mesh.nodes[k] = input.points[k];
+  }
   return mesh;
 }
 
