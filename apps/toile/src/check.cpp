@@ -1,5 +1,6 @@
 #include <Tpetra_Core.hpp>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
@@ -7,6 +8,15 @@
 #include "toile/run/outputs.hpp"
 
 namespace toile::app {
+
+namespace {
+
+/// What the command line says of a check of a scene.
+struct CheckArguments {
+  std::string scene;           ///< XML file
+  std::string output = "";     ///< folder for the start; empty: it is not written
+  bool allow_plugins = false;  ///< the scene may load programs
+};
 
 int check(const CheckArguments& arguments) {
   run::Options options;
@@ -26,6 +36,17 @@ int check(const CheckArguments& arguments) {
            std::to_string(scene.garment().seams.size()) + " seams, " + std::to_string(scene.stages().size()) +
            " stages" + (scene.surface() != nullptr ? "; " + scene.surface()->summary() : std::string()));
   return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Chosen& chosen) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* check = program.add_subcommand("check", "Read and build a scene without solving it, and look at its start");
+  check->add_option("scene", arguments->scene, "XML file of the scene")->required();
+  add_output_option(check, arguments->output, "Write the start to start.exo in this folder");
+  add_plugins_flag(check, arguments->allow_plugins);
+  check->callback([arguments, &chosen] { chosen = [arguments] { return app::check(*arguments); }; });
 }
 
 }  // namespace toile::app

@@ -1,5 +1,6 @@
 #include <Tpetra_Core.hpp>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "toile/base/error.hpp"
@@ -12,6 +13,13 @@
 namespace toile::app {
 
 namespace {
+
+/// What the command line says of a description.
+struct DescribeArguments {
+  std::string what;   ///< a list or parameter by its path, or a line of an error message that holds one; empty: all
+  std::string scene;  ///< empty, or a file whose plug-ins are described too
+  bool markdown = false, allow_plugins = false;
+};
 
 const std::string markdown_title =
     "# Input reference\n\n"
@@ -39,9 +47,8 @@ const base::Spec& file_of(const std::vector<base::Spec>& files, const std::strin
   return files.front();
 }
 
-}  // namespace
-
-int describe(bool markdown, const std::string& what, const std::string& scene, bool allow_plugins) {
+int describe(const DescribeArguments& arguments) {
+  const auto& [what, scene, markdown, allow_plugins] = arguments;
   if (what == "fields") return describe_fields(markdown);
   const material::Laws laws = scene.empty() ? material::Laws() : material::read_laws(scene, "scene", allow_plugins);
   const std::vector<base::Spec> files = {scene::scene_spec(laws), fabric_file(), identify::fit_spec(laws)};
@@ -54,6 +61,21 @@ int describe(bool markdown, const std::string& what, const std::string& scene, b
     std::cout << (&one == &specs.front() ? "" : "\n")
               << (markdown ? base::describe_markdown(one) : base::describe_text(one)) << std::flush;
   return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace
+
+void add_describe(CLI::App& program, Chosen& chosen) {
+  const auto arguments = std::make_shared<DescribeArguments>();
+  CLI::App* describe = program.add_subcommand("describe", "Print every list and parameter of a scene file");
+  describe->add_option(
+      "list", arguments->what,
+      "Only this list or parameter: its name or path, \"Panels > front > width\", or an error message; "
+      "fields: what is written");
+  describe->add_flag("--markdown", arguments->markdown, "As Markdown");
+  describe->add_option("--scene", arguments->scene, "Also the plug-ins and formulas of this scene");
+  add_plugins_flag(describe, arguments->allow_plugins);
+  describe->callback([arguments, &chosen] { chosen = [arguments] { return app::describe(*arguments); }; });
 }
 
 }  // namespace toile::app

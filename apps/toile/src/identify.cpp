@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <sstream>
 
 #include "commands.hpp"
@@ -24,6 +25,15 @@ namespace toile::app {
 
 namespace {
 
+/// What the command line says of a fit.
+struct IdentifyArguments {
+  std::string file;         ///< XML file
+  std::string output = "";  ///< folder of the results; empty: that of the file, or results/<name of the file>
+  bool quiet = false;
+  bool allow_plugins = false;               ///< the file may load programs
+  bool describe = false, markdown = false;  ///< the input reference of a fit instead
+};
+
 using identify::Curve;
 using identify::CurveReport;
 
@@ -36,7 +46,7 @@ const std::string fit_reference_title =
 class Progress {
  public:
   Progress(base::Log& log, const base::Timer& timer) : log_(log), timer_(timer) {}
-  void operator()(const identify::FitState& state) {
+  void operator()(const identify::FitStatus& state) {
     const bool is_new = state.phase != phase_;
     if (is_new) {
       phase_ = state.phase;
@@ -173,8 +183,6 @@ result::Plot curve_plot(const std::string& title, const std::vector<Curve>& curv
   return plot;
 }
 
-}  // namespace
-
 int identify(const IdentifyArguments& arguments) {
   if (Tpetra::getDefaultComm()->getRank() != 0) return static_cast<int>(base::ExitCode::success);
   base::Log log(std::cout, std::cerr, arguments.quiet);
@@ -215,13 +223,32 @@ int identify(const IdentifyArguments& arguments) {
   return static_cast<int>(base::ExitCode::success);
 }
 
-int describe_fit(const IdentifyArguments& arguments, bool markdown) {
+/// With the plug-ins and formulas of a fit file, if one is given.
+int describe_fit(const IdentifyArguments& arguments) {
   const base::Spec spec = identify::fit_spec(
       arguments.file.empty() ? material::Laws() : material::read_laws(arguments.file, "fit", arguments.allow_plugins));
   if (Tpetra::getDefaultComm()->getRank() == 0)
-    std::cout << (markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec))
+    std::cout << (arguments.markdown ? fit_reference_title + base::describe_markdown(spec) : base::describe_text(spec))
               << std::flush;
   return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace
+
+void add_identify(CLI::App& program, Chosen& chosen) {
+  const auto arguments = std::make_shared<IdentifyArguments>();
+  CLI::App* identify = program.add_subcommand("identify", "Fit the parameters of a material to tests of the fabric");
+  CLI::Option* file = identify->add_option("fit", arguments->file, "XML file of the fit");
+  add_output_option(identify, arguments->output, "Folder of the results (default: results/<name of the file>)");
+  identify->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
+  add_plugins_flag(identify, arguments->allow_plugins);
+  CLI::Option* describing = identify->add_flag("--describe", arguments->describe,
+                                               "Print every parameter of a fit file (of this one: its own laws too)");
+  identify->add_flag("--markdown", arguments->markdown, "With --describe: as Markdown")->needs(describing);
+  identify->callback([arguments, file, &chosen] {
+    if (!arguments->describe && file->count() == 0) throw CLI::RequiredError("fit");
+    chosen = [arguments] { return arguments->describe ? describe_fit(*arguments) : app::identify(*arguments); };
+  });
 }
 
 }  // namespace toile::app

@@ -1,6 +1,7 @@
 #include <Tpetra_Core.hpp>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "material_map.hpp"
@@ -10,6 +11,15 @@
 
 namespace toile::app {
 namespace {
+
+/// What the command line says of a check of fabrics.
+struct MaterialCheckArguments {
+  std::string file;            ///< a fabric's XML file, or a scene if `material` is given
+  std::string material;        ///< one of the scene's
+  std::string output = "";     ///< folder of maps; empty: results/<name of the file>-check
+  bool all = false;            ///< every published set instead of a file
+  bool allow_plugins = false;  ///< the file may load programs
+};
 
 struct Task {
   material::Laws laws;  ///< of the fabrics
@@ -81,8 +91,6 @@ void tell(const criteria::Report& report, const std::string& folder) {
   if (!warnings.empty()) std::cerr << "toile: warning: " << warnings << std::flush;
 }
 
-}  // namespace
-
 int check_material(const MaterialCheckArguments& arguments) {
   if (Tpetra::getDefaultComm()->getSize() > 1)
     throw base::InputError("material check runs on one rank; start it without mpirun");
@@ -102,6 +110,20 @@ int check_material(const MaterialCheckArguments& arguments) {
   }
   if (failed.empty()) return static_cast<int>(base::ExitCode::success);
   throw base::Error(base::ExitCode::check_failed, "criteria that do not hold: " + failed);
+}
+
+}  // namespace
+
+void add_material_check(CLI::App& program, Chosen& chosen) {
+  const auto arguments = std::make_shared<MaterialCheckArguments>();
+  CLI::App* check =
+      material_command(program)->add_subcommand("check", "Check a fabric's energy and map where it loses what");
+  check->add_option("file", arguments->file, "XML file with lists Material and Check, or a scene");
+  check->add_option("material", arguments->material, "Which of the scene's materials");
+  add_output_option(check, arguments->output, "Folder of the maps (default: results/<name of the file>-check)");
+  add_plugins_flag(check, arguments->allow_plugins);
+  check->add_flag("--all", arguments->all, "Every published set, in its literal form too");
+  check->callback([arguments, &chosen] { chosen = [arguments] { return check_material(*arguments); }; });
 }
 
 }  // namespace toile::app

@@ -1,6 +1,7 @@
 #include <Tpetra_Core.hpp>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "stop_signal.hpp"
@@ -11,6 +12,17 @@
 namespace toile::app {
 
 namespace {
+
+/// What the command line says of a run.
+struct RunArguments {
+  std::string scene;        ///< XML file
+  std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
+  int threads = 1;          ///< for the element loops of each rank
+  bool quiet = false;
+  bool restart = false;        ///< go on after the last step in the folder
+  bool allow_plugins = false;  ///< the scene may load programs
+  double heartbeat = 5.0;      ///< s without a line after which a step that is sought is told of
+};
 
 std::string folder_of(const RunArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
@@ -33,8 +45,6 @@ bool may_go_on(const run::Session& session, base::ExitCode code, size_t steps_be
   if (code == base::ExitCode::bad_input) return steps > steps_before;
   return steps > 0 && !session.record().stopped().empty();
 }
-
-}  // namespace
 
 int run(const RunArguments& arguments) {
   const auto comm = Tpetra::getDefaultComm();
@@ -61,6 +71,25 @@ int run(const RunArguments& arguments) {
     throw base::Error(error.code(), error.what() + restart_text(arguments));
   }
   return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Chosen& chosen) {
+  const auto arguments = std::make_shared<RunArguments>();
+  CLI::App* run = program.add_subcommand("run", "Run a scene and write its results");
+  run->add_option("scene", arguments->scene, "XML file of the scene")->required();
+  add_output_option(run, arguments->output, "Folder of the results (default: results/<name of the scene>)");
+  run->add_option("--threads", arguments->threads, "Threads of each rank in the element loops (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  run->add_option("--heartbeat", arguments->heartbeat,
+                  "Seconds without a line after which the iterations of a step are told of (default: 5)")
+      ->check(CLI::Range(0.0, 1e9));
+  run->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
+  run->add_flag("--restart", arguments->restart,
+                "Go on after the last step that is in the folder of the results, from its restart.h5");
+  add_plugins_flag(run, arguments->allow_plugins);
+  run->callback([arguments, &chosen] { chosen = [arguments] { return app::run(*arguments); }; });
 }
 
 }  // namespace toile::app
