@@ -12,7 +12,7 @@ namespace toile::garment::test {
 /// Bodies with a closed-form distance, for the placement only: no Hessian, no triangles.
 class AnalyticSurface : public body::Surface {
  public:
-  double reach() const override { return std::numeric_limits<double>::infinity(); }
+  double range() const override { return std::numeric_limits<double>::infinity(); }
   body::TriangleMesh triangles(double) const override { return {}; }
   std::string summary() const override { return "analytic surface of a test"; }
 };
@@ -49,14 +49,14 @@ class EllipticCylinder : public AnalyticSurface {
 /// Sphere round the origin that answers only points within `reach` of its surface, as a body with a search limit does.
 class Sphere : public AnalyticSurface {
  public:
-  Sphere(double radius, double reach) : radius_(radius), reach_(reach) {}
-  double reach() const override { return reach_; }
+  Sphere(double radius, double reach) : radius_(radius), range_(reach) {}
+  double range() const override { return range_; }
 
   body::SurfacePoint closest(const body::Vec3& point) const override {
     body::SurfacePoint result;
     const double gap = point.norm() - radius_;
-    result.found = std::abs(gap) <= reach_;
-    result.gap = result.found ? gap : std::copysign(reach_, gap);
+    result.found = std::abs(gap) <= range_;
+    result.gap = result.found ? gap : std::copysign(range_, gap);
     if (!result.found) return result;
     result.normal = point.normalized();
     result.closest = radius_ * result.normal;
@@ -64,7 +64,7 @@ class Sphere : public AnalyticSurface {
   }
 
  private:
-  double radius_, reach_;
+  double radius_, range_;
 };
 
 /// Inside of everything: a body whose surface no ray finds.

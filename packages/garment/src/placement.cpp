@@ -62,6 +62,7 @@ const std::vector<Placement>& placements() {
                                           wrap_placement(),
                                           free_wrap_placement(),
                                           sphere_placement(),
+                                          guide_placement(),
                                           pattern_placement()};
   return all;
 }

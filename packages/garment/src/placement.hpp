@@ -34,6 +34,7 @@ const std::vector<Placement>& placements();
 Placement wrap_placement();       ///< round the body
 Placement free_wrap_placement();  ///< round a cylinder or cone, without a body
 Placement sphere_placement();     ///< onto a sphere
+Placement guide_placement();      ///< onto any body along a line on it
 Placement pattern_placement();    ///< where the file of patterns has it
 
 /// The parameters of pattern_placement(), as a list of this name.
