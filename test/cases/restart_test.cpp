@@ -96,6 +96,7 @@ TEST_F(Restart, WithMoreStepsAndRanks) {
     sew(3);
     const Outcome first = toile("run scene.xml --output parts");
     EXPECT_EQ(first.status, 3);
+    EXPECT_THAT(first.err, HasSubstr("toile run scene.xml --output parts --restart"));
     sew(200);
     const Outcome rest = toile("run scene.xml --output parts --restart", ranks);
     EXPECT_EQ(rest.status, 0) << rest.err;
@@ -113,7 +114,7 @@ TEST_F(Restart, WithMoreStepsAndRanks) {
 TEST_F(Restart, RefusesWhatItCannotGoOnFrom) {
   write_strip();
   EXPECT_THAT(toile("run scene.xml --output out --restart").err,
-              HasSubstr("cannot read the state file 'out/restart.h5': No such file or directory"));
+              HasSubstr("there is no out/restart.h5 to go on from; run the scene without --restart"));
   write_strip(4);
   EXPECT_EQ(toile("run scene.xml --output out").status, 3);
   const std::string results = read("out/results.exo"), state = read("out/restart.h5");

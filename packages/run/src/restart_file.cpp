@@ -1,6 +1,7 @@
 #include "restart_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "toile/base/error.hpp"
 #include "toile/result/state_file.hpp"
@@ -62,7 +63,7 @@ void put_record(const Record& record, result::StateData& data) {
 
 void check_scene(const std::string& file, const result::StateData& data, const solve::Checkpoint& checkpoint,
                  const Record& record) {
-  const bool finished = checkpoint.phase == solve::StagePhase::finished;
+  const bool finished = checkpoint.progress.phase == solve::StagePhase::finished;
   const auto found = scene::differences(fingerprint_of(data), record.fingerprint(), checkpoint.stage, finished);
   if (!found.empty()) refuse_differences(file, found);
 }
@@ -78,6 +79,9 @@ void write_restart(const std::string& file, const Record& record) {
 }
 
 void read_restart(const std::string& file, Record& record) {
+  if (!std::filesystem::exists(file))
+    throw base::InputError("there is no " + file +
+                           " to go on from; run the scene without --restart, which starts at its beginning");
   const result::StateData data = result::read_state(file);
   const std::string failure = "cannot read the state file '" + file + "': ";
   if (data.metadata.count(scene_values) == 0 || data.metadata.count(scene_stages) == 0 ||

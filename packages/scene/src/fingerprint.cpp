@@ -1,6 +1,7 @@
 #include "toile/scene/fingerprint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "toile/base/values.hpp"
@@ -30,6 +31,22 @@ bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr double round_off = 1e-9;  // of another processor
   const auto same = [](double x, double y) { return std::abs(x - y) <= round_off * (std::abs(x) + std::abs(y) + 1.0); };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+/// What the law of a fabric says at a few strains: its formula or plug-in may be another one under the same name.
+std::vector<double> energies_of(const material::Material& fabric) {
+  constexpr size_t strains = 3;
+  const std::array<double, 3 * strains> C = {1.2, 1.0, 1.15, 1.0, 1.2, 1.1, 0.0, 0.0, 0.1};  // C11, C22, C12
+  const std::vector<double> params = fabric.params_at(0.5);
+  std::vector<double> W(strains, 0.0);
+  std::array<double, 3 * strains> S{};
+  std::array<double, strains> thickness_stretch{};
+  std::array<std::uint8_t, strains> status{};
+  fabric.response().evaluate(strains, C.data(), params.data(), 0, W.data(), S.data(), nullptr, thickness_stretch.data(),
+                             status.data());
+  for (double& energy : W)
+    if (!std::isfinite(energy)) energy = 0.0;  // beyond what the law allows
+  return W;
 }
 
 /// A value that decides nothing of the steps so far.
@@ -63,6 +80,8 @@ Fingerprint fingerprint(const base::List& list, const base::Spec& spec, const Sc
   found.figures["placed garment"] = figures_of(mesh.placed);
   found.figures["seams"] = {static_cast<double>(scene.problem().clusters.size())};
   for (const mesh::Block& block : mesh.blocks) found.figures["elements"].push_back(block.size());
+  for (const solve::BlockModel& model : scene.problem().models)
+    for (const double energy : energies_of(*model.material)) found.figures["fabrics"].push_back(energy);
   if (scene.surface() == nullptr) return found;
   constexpr size_t probes = 100;
   for (size_t i = 0; i < mesh.placed.size(); i += mesh.placed.size() / probes + 1)

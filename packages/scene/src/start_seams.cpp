@@ -1,6 +1,7 @@
 #include "start_seams.hpp"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -108,27 +109,25 @@ class Boundaries {
 /// Panels that seams connect, each with the side that it shows relative to the first one.
 class Sides {
  public:
-  explicit Sides(size_t panels) : parent_(panels), flipped_(panels, false) {
+  explicit Sides(size_t panels) : rank_(2 * panels, 0), parent_(2 * panels), sets_(rank_.data(), parent_.data()) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
+  Sides(const Sides&) = delete;
+  Sides& operator=(const Sides&) = delete;
+
   /// False: they are connected already, and the other way.
   bool join(int a, int b, bool flip) {
-    const auto [root_a, flip_a] = root(a);
-    const auto [root_b, flip_b] = root(b);
-    if (root_a == root_b) return (flip_a != flip_b) == flip;
-    parent_[root_b] = root_a;
-    flipped_[root_b] = (flip_a != flip_b) != flip;
+    if (sets_.find_set(side(a, false)) == sets_.find_set(side(b, !flip))) return false;
+    for (const bool back : {false, true}) sets_.union_set(side(a, back), side(b, back != flip));
     return true;
   }
 
  private:
-  std::pair<int, bool> root(int panel) const {
-    bool flip = false;
-    for (; parent_[panel] != panel; panel = parent_[panel]) flip = flip != flipped_[panel];
-    return {panel, flip};
-  }
-  std::vector<int> parent_;
-  std::vector<bool> flipped_;
+  /// Each panel stands for two: its right and its wrong side.
+  static int side(int panel, bool back) { return 2 * panel + (back ? 1 : 0); }
+
+  std::vector<int> rank_, parent_;
+  boost::disjoint_sets<int*, int*> sets_;
 };
 
 /// Index of the panel that an edge belongs to.
