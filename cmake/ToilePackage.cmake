@@ -13,7 +13,7 @@ endfunction()
 # headers of the packages in USES and of no other, and includes some of each: the build fails otherwise.
 function(toile_package name)
   cmake_parse_arguments(arg "" "" "USES;USES_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp")
   if(NOT sources)
     add_library(toile_${name} INTERFACE)
     target_include_directories(toile_${name} INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/include")
@@ -37,7 +37,7 @@ endfunction()
 # The check runs when a file of the package has changed.
 function(toile_check_dependencies name uses)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/include/*.hpp" "${CMAKE_CURRENT_SOURCE_DIR}/src/*.hpp"
-    "${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp")
+    "${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp")
   set(script "${PROJECT_SOURCE_DIR}/cmake/CheckDependencies.cmake")
   set(stamp "${CMAKE_CURRENT_BINARY_DIR}/dependencies.checked")
   string(REPLACE ";" "," uses "${uses}")

@@ -17,10 +17,10 @@ double worst_factor(const std::function<double(double)>& cost, int steps) {
   for (int k = 0; k < steps; ++k) seconds.push_back(seconds.back() + cost((k + 0.5) / steps));
   PathClock clock;
   clock.start(1.0);
-  clock.reach(0.0, seconds[0]);
+  clock.advance(0.0, seconds[0]);
   double worst = 1.0;
   for (int k = 1; k < steps; ++k) {
-    clock.reach(static_cast<double>(k) / steps, seconds[static_cast<std::size_t>(k)]);
+    clock.advance(static_cast<double>(k) / steps, seconds[static_cast<std::size_t>(k)]);
     const double right = seconds.back() - seconds[static_cast<std::size_t>(k)];
     const TimeLeft left = clock.left().value();
     if (k >= 3) worst = std::max({worst, left.most / right, right / left.least});
@@ -43,13 +43,13 @@ TEST(PathClock, FollowsAGrowingCost) {
 TEST(PathClock, FollowsGrowingSteps) {
   PathClock clock;
   clock.start(0.0);
-  clock.reach(0.0, 74.0);
-  clock.reach(0.1, 83.0);
-  clock.reach(0.272, 94.0);
-  clock.reach(0.559, 100.0);
+  clock.advance(0.0, 74.0);
+  clock.advance(0.1, 83.0);
+  clock.advance(0.272, 94.0);
+  clock.advance(0.559, 100.0);
   EXPECT_GT(clock.left().value().least, 3.0);
   EXPECT_LT(clock.left().value().most, 12.0);  // 6 iterations
-  clock.reach(1.0, 106.0);
+  clock.advance(1.0, 106.0);
   EXPECT_EQ(clock.left().value().most, 0.0);
 }
 
@@ -58,9 +58,9 @@ TEST(PathClock, KnowsNothingBeforeTheFirstStep) {
   PathClock clock;
   clock.start(0.0);
   EXPECT_FALSE(clock.left().has_value());
-  clock.reach(0.0, 100.0);
+  clock.advance(0.0, 100.0);
   EXPECT_FALSE(clock.left().has_value());
-  clock.reach(0.5, 101.0);
+  clock.advance(0.5, 101.0);
   EXPECT_DOUBLE_EQ(clock.left().value().least, 1.0);
   EXPECT_DOUBLE_EQ(clock.left().value().most, 1.0);
 }
@@ -70,7 +70,7 @@ void expect_bounded(const std::vector<double>& parameter, const std::vector<doub
   PathClock clock;
   clock.start(0.0);
   for (std::size_t k = 0; k + 1 < parameter.size(); ++k) {
-    clock.reach(parameter[k], seconds[k]);
+    clock.advance(parameter[k], seconds[k]);
     if (k < first) continue;
     const double right = seconds.back() - seconds[k];
     EXPECT_GT(right, 0.5 * clock.left().value().least) << k;

@@ -20,7 +20,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<double> pantyhose(const material::MaterialV1& law) {
+std::vector<double> pantyhose(const material::LawV1& law) {
   for (int s = 0; s < law.n_sets; ++s) {
     if (std::string(law.sets[s].name) == "pantyhose") return {law.sets[s].values, law.sets[s].values + law.n_params};
   }
@@ -65,7 +65,7 @@ struct Garment {
 /// layer), is timed apart.
 void residual_and_tangent(benchmark::State& state, const char* element_name, const char* material_name) {
   const element::Element& element = *element::find(element_name);
-  const material::MaterialV1& law = *material::find(material_name);
+  const material::LawV1& law = *material::find(material_name);
   const std::vector<double> params = pantyhose(law);
   const material::PlainResponse response(law);
   Garment garment(element);

@@ -25,7 +25,7 @@ std::vector<TestPoint> points_of(const std::vector<TestPoint>& curves) {
 }
 
 void run(benchmark::State& state, const char* name, const std::vector<TestPoint>& curves, bool with_gradient) {
-  const toile::material::MaterialV1& law = *toile::material::find(name);
+  const toile::material::LawV1& law = *toile::material::find(name);
   const double* params = law.sets[0].values;
   const std::vector<TestPoint> points = points_of(curves);
   Homogeneous states(points);
@@ -46,7 +46,7 @@ void run(benchmark::State& state, const char* name, const std::vector<TestPoint>
 }
 
 void run_strip(benchmark::State& state, const char* name, double angle, bool with_gradient) {
-  const toile::material::MaterialV1& law = *toile::material::find(name);
+  const toile::material::LawV1& law = *toile::material::find(name);
   const double* params = law.sets[0].values;
   std::vector<double> stretches;
   for (int i = 1; i <= curve_points; ++i) stretches.push_back(1.0 + 0.05 * i);

@@ -41,7 +41,7 @@ struct Batch {
 };
 
 /// Those of the pantyhose, or of a law without published sets Young's modulus 1 MPa and Poisson's ratio 0.3.
-const double* params_of(const MaterialV1& law) {
+const double* params_of(const LawV1& law) {
   static const double isotropic[] = {1.0, 0.3};
   return law.n_sets > 0 ? law.sets[0].values : isotropic;
 }
@@ -52,7 +52,7 @@ void report(benchmark::State& state) {
 }
 
 void registered(benchmark::State& state, const char* name) {
-  const MaterialV1& law = *find(name);
+  const LawV1& law = *find(name);
   Batch b;
   for (auto _ : state) {
     law.evaluate(law.context, n, b.C.data(), params_of(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
@@ -63,7 +63,7 @@ void registered(benchmark::State& state, const char* name) {
 }
 
 /// The numbers that are compared are the same numbers: stops the benchmark if hand-written and registered differ.
-void require_agreement(const Batch& a, const MaterialV1& law) {
+void require_agreement(const Batch& a, const LawV1& law) {
   Batch b;
   law.evaluate(law.context, n, b.C.data(), params_of(law), 0, b.W.data(), b.S.data(), b.D.data(), b.h.data(), nullptr,
                b.status.data());
@@ -82,7 +82,7 @@ void require_agreement(const Batch& a, const MaterialV1& law) {
 
 /// The same energy as a typed formula.
 void formula(benchmark::State& state, const char* name, int n_params, const std::string& energy) {
-  const MaterialV1& law = *find(name);
+  const LawV1& law = *find(name);
   const Laws::Law typed = test::formula_like(name, n_params, energy);
   Batch b;
   for (auto _ : state) {
@@ -108,7 +108,7 @@ void hand_written(Batch& b, const double* params) {
 
 template <HandWritten function>
 void by_hand(benchmark::State& state, const char* name) {
-  const MaterialV1& law = *find(name);
+  const LawV1& law = *find(name);
   Batch b;
   for (auto _ : state) {
     hand_written<function>(b, params_of(law));
@@ -192,7 +192,7 @@ class Times : public benchmark::ConsoleReporter {
 /// Every registered material must be measured and cost at most `most` times its hand-written twin.
 bool costs_at_most(double most, const Times& times) {
   bool good = true;
-  for (const MaterialV1* law : registry()) {
+  for (const LawV1* law : registry()) {
     const std::string name = law->name;
     const double ratio = times.of("registered/" + name) / times.of("by_hand/" + name);
     std::cout << name << ": " << ratio << " times the hand-written cost, allowed " << most << "\n";

@@ -8,8 +8,6 @@
 namespace toile::criteria::test {
 namespace {
 
-using Outputs = State;
-
 /// A neo-Hookean law whose outputs at each point go through `Fault`.
 template <void (*Fault)(Outputs&)>
 int evaluate(const void*, int n, const double* C, const double*, int, double* W, double* S, double* D, double* h,
@@ -18,9 +16,9 @@ int evaluate(const void*, int n, const double* C, const double*, int, double* W,
   std::vector<Strain> strains(n);
   for (int i = 0; i < n; ++i) strains[i] = {C[i], C[n + i], C[2 * n + i]};
   int bad = 0;
-  const std::vector<State> states = sound.evaluate(strains);
+  const std::vector<Outputs> states = sound.evaluate(strains);
   for (int i = 0; i < n; ++i) {
-    State s = states[i];
+    Outputs s = states[i];
     Fault(s);
     W[i] = s.W;
     for (int a = 0; a < 3; ++a) S[a * n + i] = s.S[a];
@@ -34,7 +32,7 @@ int evaluate(const void*, int n, const double* C, const double*, int, double* W,
 
 template <void (*Fault)(Outputs&)>
 Fabric faulty() {
-  static const material::MaterialV1 law = {material::material_abi, "faulty", "", 0, nullptr, nullptr, &evaluate<Fault>};
+  static const material::LawV1 law = {material::material_abi, "faulty", "", 0, nullptr, nullptr, &evaluate<Fault>};
   return {"faulty", &law, {}};
 }
 
@@ -117,29 +115,29 @@ enum class SlopeFault { none, not_a_number, off };
 template <SlopeFault fault>
 Fabric with_parameter() {
   static constexpr material::ParamInfo k = {"k", "MPa", "", 1.0, 0.0, 10.0, 1};
-  static const material::MaterialV1 law = {material::material_abi,
-                                           "one parameter",
-                                           "",
-                                           1,
-                                           &k,
-                                           nullptr,
-                                           [](const void*, int n, const double* C, const double* params, int, double* W,
-                                              double* S, double* D, double* h, double* dSdp, std::uint8_t* status) {
-                                             for (int i = 0; i < n; ++i) {
-                                               W[i] = 0.5 * params[0] * (C[i] + C[n + i]);
-                                               for (int a = 0; a < 3; ++a) S[a * n + i] = a < 2 ? params[0] : 0.0;
-                                               for (int b = 0; D != nullptr && b < 6; ++b) D[b * n + i] = 0.0;
-                                               for (int a = 0; dSdp != nullptr && a < 3; ++a)
-                                                 dSdp[a * n + i] = a < 2 ? 1.0 : 0.0;
-                                               h[i] = 1.0;
-                                               status[i] = material::point_ok;
-                                               if (dSdp == nullptr) continue;
-                                               if (fault == SlopeFault::off) dSdp[i] *= 1.001;
-                                               if (fault == SlopeFault::not_a_number && C[n + i] < 1.0)
-                                                 dSdp[i] = std::nan("");
-                                             }
-                                             return 0;
-                                           }};
+  static const material::LawV1 law = {material::material_abi,
+                                      "one parameter",
+                                      "",
+                                      1,
+                                      &k,
+                                      nullptr,
+                                      [](const void*, int n, const double* C, const double* params, int, double* W,
+                                         double* S, double* D, double* h, double* dSdp, std::uint8_t* status) {
+                                        for (int i = 0; i < n; ++i) {
+                                          W[i] = 0.5 * params[0] * (C[i] + C[n + i]);
+                                          for (int a = 0; a < 3; ++a) S[a * n + i] = a < 2 ? params[0] : 0.0;
+                                          for (int b = 0; D != nullptr && b < 6; ++b) D[b * n + i] = 0.0;
+                                          for (int a = 0; dSdp != nullptr && a < 3; ++a)
+                                            dSdp[a * n + i] = a < 2 ? 1.0 : 0.0;
+                                          h[i] = 1.0;
+                                          status[i] = material::point_ok;
+                                          if (dSdp == nullptr) continue;
+                                          if (fault == SlopeFault::off) dSdp[i] *= 1.001;
+                                          if (fault == SlopeFault::not_a_number && C[n + i] < 1.0)
+                                            dSdp[i] = std::nan("");
+                                        }
+                                        return 0;
+                                      }};
   return {"one parameter", &law, {2.0}};
 }
 
@@ -158,7 +156,7 @@ TEST(BrokenLaws, FiniteNumbers) {
 
 // A run would not notice an inadmissible point that the law marks but does not count.
 TEST(BrokenLaws, CountOfInadmissiblePoints) {
-  material::MaterialV1 law = *faulty<nothing>().law;
+  material::LawV1 law = *faulty<nothing>().law;
   law.evaluate = [](const void* context, int n, const double* C, const double* params, int stride, double* W, double* S,
                     double* D, double* h, double* dSdp, std::uint8_t* status) {
     evaluate<nothing>(context, n, C, params, stride, W, S, D, h, dSdp, status);

@@ -10,7 +10,7 @@ namespace {
 using material::WrinkleState;
 
 Law slack_fibres(const char* name) {
-  const material::MaterialV1& law = *material::find(name);
+  const material::LawV1& law = *material::find(name);
   for (const Law& known : laws())
     if (known.name.find(name) != std::string::npos)
       return {known.name, std::make_shared<material::RelaxedResponse>(law, material::Relaxation::slack_fibres, 1e-4),

@@ -38,15 +38,15 @@ int evaluate_neo_hookean(const void*, int n, const double* C, const double* para
 
 const Law& closed_neo_hookean() {
   static const material::ParamInfo info = {"C10", "MPa", "half the shear modulus", 0.0, 0.0, 1.0, 1};
-  static const material::MaterialV1 interface = {
-      material::material_abi, "closed neo-hookean", "test", 1, &info, nullptr, evaluate_neo_hookean};
+  static const material::LawV1 interface = {material::material_abi, "closed neo-hookean", "test", 1, &info, nullptr,
+                                            evaluate_neo_hookean};
   static const Law law = {"closed neo-hookean", std::make_shared<material::PlainResponse>(interface), {8.4667e-3}};
   return law;
 }
 
 std::vector<Law> laws() {
   std::vector<Law> all = {closed_neo_hookean()};
-  for (const material::MaterialV1* law : material::registry()) {
+  for (const material::LawV1* law : material::registry()) {
     const auto response = std::make_shared<material::PlainResponse>(*law);
     if (law->n_sets == 0) {
       all.push_back({law->name, response, {0.08, 0.3}});

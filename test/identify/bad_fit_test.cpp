@@ -351,7 +351,7 @@ TEST(Fit, TakesTheGivenValue) {
     const base::List input = folder.read();
     const FitProblem problem(input);
     EXPECT_NEAR(problem.params(problem.first_candidate())[0], 0.0123, 1e-15);
-    const FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
+    const FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitStatus&) {});
     Residuals residuals(problem);
     EXPECT_LE(result.chi_squared, residuals.chi_squared(problem.first_candidate())) << search;
   }

@@ -68,7 +68,7 @@ TEST(ClampedStrip, ConvergesWithSecondOrder) {
 
 /// Stresses of the strips of one law at several angles, one after the other, and their gradients by its parameters.
 struct Strips {
-  explicit Strips(const material::MaterialV1& of) : fabric(of) {
+  explicit Strips(const material::LawV1& of) : fabric(of) {
     for (const double angle : {0.0, 90.0, 30.0})
       strips.push_back(std::make_unique<ClampedStrip>(StripSpecimen{100.0, 50.0, 6}, angle * degree, stretches));
   }
@@ -94,7 +94,7 @@ struct Strips {
     return all;
   }
 
-  const material::MaterialV1& fabric;
+  const material::LawV1& fabric;
   const std::vector<double> stretches = {1.1, 1.4, 1.7};
   std::vector<std::unique_ptr<ClampedStrip>> strips;
 };
@@ -103,7 +103,7 @@ struct Strips {
 // a parameter that is a number is zero at all points.
 TEST(ClampedStrip, SensitivitiesAreDifferences) {
   for (const std::string name : {"itskov", "rebar", "neo-hookean"}) {
-    const material::MaterialV1& fabric = law(name);
+    const material::LawV1& fabric = law(name);
     std::vector<double> params = values(name, "pantyhose");
     Strips strips(fabric);
     for (std::size_t k = 0; k < params.size(); ++k) {
@@ -138,7 +138,7 @@ TEST(ClampedStrip, LongStripsAreHomogeneous) {
 // From the first stretch on at which a strip would buckle in its plane there is no number, whatever comes after; what
 // is before is as it was.
 TEST(ClampedStrip, HasNoNumberBeyondWhatItCanReach) {
-  const material::MaterialV1& fabric = law("neo-hookean");
+  const material::LawV1& fabric = law("neo-hookean");
   const std::vector<double> params = values("neo-hookean", "pantyhose");
   const StripSpecimen slender = {500.0, 50.0, 6};
   std::vector<double> P(4), gradient(4 * params.size()), alone(1);

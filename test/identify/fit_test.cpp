@@ -31,7 +31,7 @@ struct Outcome {
 Outcome run(const FitFolder& folder) {
   const base::List input = folder.read();
   FitProblem problem(input);
-  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
+  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitStatus&) {});
   std::vector<CurveReport> reports = curve_reports(problem, result.params);
   return {std::move(problem), std::move(result), std::move(reports)};
 }

@@ -94,7 +94,7 @@ std::vector<TestPoint> mixed_points() {
 // solution, and none of a parameter that is a number is zero at all points.
 TEST(Homogeneous, SensitivitiesAreDifferences) {
   for (const std::string name : {"itskov", "rebar", "neo-hookean"}) {
-    const material::MaterialV1& fabric = law(name);
+    const material::LawV1& fabric = law(name);
     std::vector<double> params = values(name, "pantyhose");
     const std::vector<TestPoint> points = mixed_points();
     const std::size_t n = points.size();

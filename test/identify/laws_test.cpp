@@ -40,7 +40,7 @@ struct Fitted {
 Fitted fitted(const FitFolder& folder) {
   const base::List input = folder.read();
   FitProblem problem(input, folder.laws());
-  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitState&) {});
+  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [](const FitStatus&) {});
   return {std::move(problem), std::move(result)};
 }
 

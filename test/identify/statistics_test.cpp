@@ -35,7 +35,7 @@ class LinearFit {
                                 list("Parameters", list("a", parameter("unit", "string", "MPa")) + list("b", "")))));
     input_.emplace(folder_.read());
     problem_.emplace(*input_, folder_.laws());
-    result_ = fit(*problem_, Algorithm(input_->list("Algorithm")), [](const FitState&) {});
+    result_ = fit(*problem_, Algorithm(input_->list("Algorithm")), [](const FitStatus&) {});
     statistics_ = parameter_statistics(*problem_, result_);
   }
 

@@ -46,7 +46,7 @@ std::string data_of(const FitFolder& folder, const StripReference& r, const std:
 /// The three moduli of the Itskov law, fitted to the forces of the independent solution in wale, bias and course.
 void write_fit(const FitFolder& folder, const std::string& model, const std::string& algorithm = "") {
   std::string data, given, free;
-  const material::MaterialV1& law = material::test::law("itskov");
+  const material::LawV1& law = material::test::law("itskov");
   for (int i = 0; i < law.n_params; ++i) {
     if (law.info[i].choices != nullptr) continue;
     if (std::find(std::begin(moduli), std::end(moduli), i) != std::end(moduli))
@@ -74,7 +74,7 @@ Outcome run(const FitFolder& folder) {
   FitProblem problem(input);
   std::vector<std::string> phases;
   double last = 1.0;
-  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [&](const FitState& state) {
+  FitResult result = fit(problem, Algorithm(input.list("Algorithm")), [&](const FitStatus& state) {
     if (phases.empty() || phases.back() != state.phase) {
       EXPECT_EQ(last, 1.0);
       phases.push_back(state.phase);

@@ -17,7 +17,7 @@ State cauchy_green(const Tensor& F) {
           F[0][0] * F[0][1] + F[1][0] * F[1][1]};
 }
 
-Ellipticity at(const MaterialV1& law, const std::vector<double>& params, const State& C) {
+Ellipticity at(const LawV1& law, const std::vector<double>& params, const State& C) {
   const Point p = evaluate(law, params, C);
   return ellipticity(C, p.S, p.D);
 }
@@ -27,7 +27,7 @@ bool in_tension(const std::array<double, 3>& S) {
 }
 
 /// Stretch of the other axis under uniaxial tension: the stress across vanishes.
-double free_stretch(const MaterialV1& law, const std::vector<double>& params, double stretch, bool along_course) {
+double free_stretch(const LawV1& law, const std::vector<double>& params, double stretch, bool along_course) {
   double low = 0.1, high = 1.5;
   while (high - low > 1e-13) {
     const double middle = 0.5 * (low + high), c = middle * middle, q = stretch * stretch;
@@ -64,7 +64,7 @@ TEST(Ellipticity, saint_venant_kirchhoff_closed_form) {
 }
 
 /// Smallest second derivative of W(F + t m (x) n) by t over unit vectors m and n, from energies alone.
-double brute_force(const MaterialV1& law, const std::vector<double>& params, const Tensor& F) {
+double brute_force(const LawV1& law, const std::vector<double>& params, const Tensor& F) {
   constexpr int angles = 90;
   constexpr double t = 2e-3;
   const double step = std::acos(-1.0) / angles, W = evaluate(law, params, cauchy_green(F)).W;
@@ -147,7 +147,7 @@ TEST(Ellipticity, itskov_loses_it_in_sheared_compression_only) {
 // The literal hosiery law (its polynomials taken beyond their calibrated range) loses ellipticity under uniaxial
 // tension along the course at a stretch near 3.4; continued linearly it keeps it up to 6.
 TEST(Ellipticity, literal_rebar_law_loses_it_near_course_stretch_3_4) {
-  const MaterialV1& rebar = law("rebar");
+  const LawV1& rebar = law("rebar");
   const auto continued = values("rebar", "pantyhose"), literal = with(rebar, continued, "calibrated strain", 5.0);
   const auto first_loss = [&](const std::vector<double>& params) {
     for (double stretch = 1.0; stretch < 6.0; stretch += 0.01) {

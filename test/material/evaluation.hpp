@@ -30,7 +30,7 @@ struct Point {
 
 using State = std::array<double, 3>;  ///< C11, C22, C12
 
-inline Point evaluate(const MaterialV1& law, const std::vector<double>& params, const State& C) {
+inline Point evaluate(const LawV1& law, const std::vector<double>& params, const State& C) {
   Point p;
   p.bad = law.evaluate(law.context, 1, C.data(), params.data(), 0, &p.W, p.S.data(), p.D.data(), &p.thickness_stretch,
                        nullptr, &p.status);
@@ -44,28 +44,28 @@ inline Point evaluate(const Response& response, const std::vector<double>& param
   return p;
 }
 
-inline const MaterialV1& law(const std::string& name) {
-  const MaterialV1* found = find(name);
+inline const LawV1& law(const std::string& name) {
+  const LawV1* found = find(name);
   if (!found) throw std::runtime_error("no material " + name);
   return *found;
 }
 
 /// Values of the published set `set` of the material `name`.
 inline std::vector<double> values(const std::string& name, const std::string& set) {
-  const MaterialV1& found = law(name);
+  const LawV1& found = law(name);
   for (int i = 0; i < found.n_sets; ++i)
     if (set == found.sets[i].name) return {found.sets[i].values, found.sets[i].values + found.n_params};
   throw std::runtime_error("no set " + set);
 }
 
-inline int index_of(const MaterialV1& material, const std::string& param) {
+inline int index_of(const LawV1& material, const std::string& param) {
   for (int i = 0; i < material.n_params; ++i)
     if (param == material.info[i].name) return i;
   throw std::runtime_error("no parameter " + param);
 }
 
 /// `params` with one value replaced.
-inline std::vector<double> with(const MaterialV1& material, std::vector<double> params, const std::string& name,
+inline std::vector<double> with(const LawV1& material, std::vector<double> params, const std::string& name,
                                 double value) {
   params[index_of(material, name)] = value;
   return params;
@@ -74,18 +74,18 @@ inline std::vector<double> with(const MaterialV1& material, std::vector<double> 
 /// A material with values, and a name for messages.
 struct Case {
   std::string name;
-  const MaterialV1* law;
+  const LawV1* law;
   std::vector<double> params;
 };
 
-inline bool accepts(const MaterialV1& material, const std::vector<double>& params) {
+inline bool accepts(const LawV1& material, const std::vector<double>& params) {
   std::array<char, 512> message;
   return material.check == nullptr || material.check(material.context, params.data(), message.data(), 512) == 0;
 }
 
 /// Values of a law from the ranges that it declares, for one without published sets: its defaults, and where it has
 /// none `share` of the way through the range, or 0.08 above the least value if there is no greatest one.
-inline std::vector<double> declared_values(const MaterialV1& material, double share) {
+inline std::vector<double> declared_values(const LawV1& material, double share) {
   std::vector<double> params;
   for (int i = 0; i < material.n_params; ++i) {
     const ParamInfo& info = material.info[i];
@@ -99,7 +99,7 @@ inline std::vector<double> declared_values(const MaterialV1& material, double sh
 /// Every material with every published set that it accepts, or if it has none with values at `shares` of its ranges.
 inline std::vector<Case> registered_cases(const std::vector<double>& shares = {0.4, 0.85, 1.0}) {
   std::vector<Case> all;
-  for (const MaterialV1* material : registry()) {
+  for (const LawV1* material : registry()) {
     const std::size_t before = all.size();
     for (int i = 0; i < material->n_sets; ++i) {
       const std::vector<double> params = values(material->name, material->sets[i].name);
@@ -119,7 +119,7 @@ inline std::vector<Case> registered_cases(const std::vector<double>& shares = {0
 /// These, every reading of the rebar model, and swapped axes.
 inline std::vector<Case> cases() {
   std::vector<Case> all = registered_cases();
-  const MaterialV1& rebar = law("rebar");
+  const LawV1& rebar = law("rebar");
   for (double strain : {0.0, 1.0, 2.0})
     for (double modulus : {0.0, 1.0}) {
       auto params = with(rebar, values("rebar", "pantyhose"), "strain", strain);
@@ -127,7 +127,7 @@ inline std::vector<Case> cases() {
       all.push_back(
           {"rebar, strain " + std::to_string(strain) + ", modulus " + std::to_string(modulus), &rebar, params});
     }
-  const MaterialV1& itskov = law("itskov");
+  const LawV1& itskov = law("itskov");
   all.push_back({"itskov swapped", &itskov, with(itskov, values("itskov", "t-shirt"), "swap axes", 1.0)});
   return all;
 }

@@ -30,14 +30,14 @@ std::string translated(const std::string& energy) {
 }
 
 /// W, S, D and dS/dp of both laws at sheared states between `low` and `high`, to 1e-12 of the largest of each.
-void expect_same(const MaterialV1& formula, const MaterialV1& built_in, const std::vector<double>& params, double low,
+void expect_same(const LawV1& formula, const LawV1& built_in, const std::vector<double>& params, double low,
                  double high) {
   const int n = 37;  // several blocks and an odd rest
   const std::vector<State> states = random_states(n, low, high, 3);
   std::vector<double> C(3 * n);
   for (int i = 0; i < n; ++i)
     for (int a = 0; a < 3; ++a) C[a * n + i] = states[i][a];
-  const auto all = [&](const MaterialV1& law) {
+  const auto all = [&](const LawV1& law) {
     std::vector<double> W(n), S(3 * n), D(6 * n), h(n), dSdp(3 * n * law.n_params);
     std::vector<std::uint8_t> status(n);
     EXPECT_EQ(law.evaluate(law.context, n, C.data(), params.data(), 0, W.data(), S.data(), D.data(), h.data(),

@@ -31,7 +31,7 @@ inline std::string itskov_formula() {
 
 /// The formula with the first `count` parameters of the built-in law `like`, so that its values serve both.
 inline Laws::Law formula_like(const char* like, int count, const std::string& energy) {
-  const MaterialV1& law = *find(like);
+  const LawV1& law = *find(like);
   std::vector<FormulaParameter> parameters;
   for (int k = 0; k < count; ++k)
     parameters.push_back({law.info[k].name, law.info[k].unit, law.info[k].text, law.info[k].fallback, law.info[k].lower,

@@ -30,7 +30,7 @@ std::map<std::string, Column> read_columns(const std::string& name) {
 }
 
 struct Fabric {
-  const MaterialV1* law;
+  const LawV1* law;
   std::vector<double> params;
   Point at(const State& C) const { return evaluate(*law, params, C); }
 };

@@ -31,7 +31,7 @@ TEST(Itskov, swapped_axes) {
 
 // Normalised weights of term 2 of the T-shirt set are the printed ones over their sum, and change no other term.
 TEST(Itskov, normalised_weights) {
-  const MaterialV1& itskov = law("itskov");
+  const LawV1& itskov = law("itskov");
   const auto normalised = values("itskov", "t-shirt");
   auto by_hand = with(itskov, normalised, "normalise weights", 0.0);
   by_hand = with(itskov, with(itskov, by_hand, "w1_2", 0.585 / 1.02), "w2_2", 0.435 / 1.02);
@@ -51,7 +51,7 @@ TEST(Itskov, weights_as_printed_are_refused) {
 
 // A parameter outside its range is refused with its value and what is allowed.
 TEST(Itskov, ranges) {
-  const MaterialV1& itskov = law("itskov");
+  const LawV1& itskov = law("itskov");
   const auto params = values("itskov", "pantyhose");
   EXPECT_EQ(message_of(params), "");
   EXPECT_EQ(message_of(with(itskov, params, "mu2", 0.0)), "0 is out of range: allowed is > 0");

@@ -26,7 +26,7 @@ struct Disguised {
 // A law without sets and conditions works: its functions, choices of branch and univariate parts are differentiated
 // right.
 TEST(Law, author_functions) {
-  static constexpr MaterialV1 disguised = make_law<Disguised>();
+  static constexpr LawV1 disguised = make_law<Disguised>();
   EXPECT_EQ(disguised.n_sets, 0);
   for (const State& C : random_states(20, 0.8, 1.8, 6)) {
     const Point p = evaluate(disguised, {0.3, 2.0}, C), q = evaluate(law("neo-hookean"), {0.3}, C);
@@ -38,7 +38,7 @@ TEST(Law, author_functions) {
 
 // The range of each parameter is a condition of every law.
 TEST(Law, check_without_own_conditions) {
-  static constexpr MaterialV1 disguised = make_law<Disguised>();
+  static constexpr LawV1 disguised = make_law<Disguised>();
   std::array<char, 128> message = {};
   const double good[] = {1.0, 3.0}, bad[] = {1.0, 4.0};
   EXPECT_EQ(disguised.check(nullptr, good, message.data(), 128), 0);

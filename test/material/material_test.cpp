@@ -46,7 +46,7 @@ TEST(Registry, lists_and_finds) {
   EXPECT_STREQ(registry()[2]->name, "itskov");
   EXPECT_STREQ(registry()[3]->name, "neo-hookean");
   EXPECT_STREQ(registry()[4]->name, "rebar");
-  for (const MaterialV1* material : registry()) {
+  for (const LawV1* material : registry()) {
     EXPECT_EQ(find(material->name), material);
     EXPECT_EQ(material->abi, material_abi);
   }

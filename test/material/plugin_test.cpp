@@ -68,7 +68,7 @@ TEST(PlugIn, same_numbers_as_built_in) {
   std::uint8_t status = 9;
   EXPECT_EQ(law->evaluate(law->context, 1, C.data(), &C10, 0, &W, S.data(), D.data(), &h, nullptr, &status), 0);
   EXPECT_EQ(status, point_ok);
-  const MaterialV1& built_in = *find("neo-hookean");
+  const LawV1& built_in = *find("neo-hookean");
   built_in.evaluate(nullptr, 1, C.data(), &C10, 0, &expected_W, expected_S.data(), expected_D.data(), &expected_h,
                     nullptr, &status);
   EXPECT_EQ(W, expected_W);

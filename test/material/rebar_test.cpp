@@ -24,7 +24,7 @@ double fibre_stress(double e, int modulus) {
 }
 
 std::vector<double> reading(int strain, int modulus) {
-  const MaterialV1& rebar = law("rebar");
+  const LawV1& rebar = law("rebar");
   return with(rebar, with(rebar, values("rebar", "pantyhose"), "strain", strain), "modulus", modulus);
 }
 
@@ -81,7 +81,7 @@ TEST(Rebar, linear_beyond_calibrated_range) {
 
 // A shortened fibre carries nothing; with "fibres in compression" it carries its modulus at zero strain, extrapolated.
 TEST(Rebar, fibres_in_compression) {
-  const MaterialV1& rebar = law("rebar");
+  const LawV1& rebar = law("rebar");
   const auto off = reading(log_strain, tangent), on = with(rebar, off, "fibres in compression", 1.0);
   for (double l : {0.6, 0.8, 0.95}) {
     EXPECT_EQ(fibre_S11(off, l), 0.0);

@@ -6,11 +6,11 @@
 namespace toile::material::test {
 namespace {
 
-const MaterialV1& fung() {
+const LawV1& fung() {
   static const Laws::Law law = shipped_law("fung_orthotropic");
   return *law;
 }
-const MaterialV1& hgo() {
+const LawV1& hgo() {
   static const Laws::Law law = shipped_law("holzapfel_gasser_ogden");
   return *law;
 }

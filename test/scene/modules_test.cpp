@@ -58,8 +58,8 @@ TEST(Modules, PartitionGivesEachRankItsShare) {
 TEST(Modules, ElementFollowsThePanel) {
   ParameterList list = flat_scene();
   list.sublist("Panels").sublist("tube").set("elements", std::string("triangle"));
-  EXPECT_EQ(build(list)->problem().laws.at(0).element, element::find("membrane3"));
-  EXPECT_EQ(build(flat_scene())->problem().laws.at(0).element, element::find("membrane4"));
+  EXPECT_EQ(build(list)->problem().models.at(0).element, element::find("membrane3"));
+  EXPECT_EQ(build(flat_scene())->problem().models.at(0).element, element::find("membrane4"));
 }
 
 }  // namespace

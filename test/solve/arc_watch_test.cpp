@@ -1,5 +1,5 @@
 // What the turns of an arc do to it.
-#include "arc_watch.hpp"
+#include "watch/arc_watch.hpp"
 
 #include <gmock/gmock.h>
 

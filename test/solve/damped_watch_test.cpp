@@ -1,5 +1,5 @@
 // What the damping of a stage does to its path.
-#include "damped_watch.hpp"
+#include "watch/damped_watch.hpp"
 
 #include <gmock/gmock.h>
 

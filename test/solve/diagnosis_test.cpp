@@ -1,5 +1,5 @@
 // What a stage says that fails: where it gave up, what did not converge there, and why.
-#include "diagnosis.hpp"
+#include "diagnosis/diagnosis.hpp"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "held.hpp"
+#include "equilibrium/held.hpp"
 #include "panels.hpp"
 #include "recorded.hpp"
 #include "stages.hpp"
@@ -37,7 +37,7 @@ Panels strip(const char* formulation, const Eigen::Matrix3d& rotation) {
   Panels panel(pantyhose());
   panel.add(rotation * Vec3(2.0, 3.0, 0.0), rotation.col(0), rotation.col(1), 0);
   panel.mesh.normal.assign(static_cast<size_t>(Panels::nodes()), rotation.col(2));
-  panel.problem.laws[0] = {element::find(formulation), panel.material.get(), {3, 0.01, false}};
+  panel.problem.models[0] = {element::find(formulation), panel.material.get(), {3, 0.01, false}};
   std::vector<int> all, bottom, top;
   for (int n = 0; n < Panels::nodes(); ++n) all.push_back(n);
   for (int i = 0; i <= Panels::across; ++i) {
@@ -48,7 +48,7 @@ Panels strip(const char* formulation, const Eigen::Matrix3d& rotation) {
   hold(panel, top, {false, true, false}, Vec3(0.0, 12.0, 0.0), rotation);
   hold(panel, all, {false, false, true}, Vec3::Zero(), rotation);
   hold(panel, {Panels::node(0, 1, 0)}, {true, false, false}, Vec3::Zero(), rotation);
-  if (panel.problem.laws[0].is_shell()) panel.problem.supports[0].director = solve::DirectorSupport::symmetry;
+  if (panel.problem.models[0].is_shell()) panel.problem.supports[0].director = solve::DirectorSupport::symmetry;
   const int ranks = Tpetra::getDefaultComm()->getSize();
   const auto rank_of_row = [ranks](int j) { return std::min(j, Panels::along - 1) * ranks / Panels::along; };
   for (int n = 0; n < Panels::nodes(); ++n)
@@ -179,7 +179,7 @@ class Cone : public body::Surface {
     s.found = true;
     return s;
   }
-  double reach() const override { return 50.0; }
+  double range() const override { return 50.0; }
   body::TriangleMesh triangles(double) const override { return {}; }
   std::string summary() const override { return "cone"; }
 };

@@ -1,5 +1,5 @@
-#include "follower_pressure.hpp"
-#include "pressure_edges.hpp"
+#include "terms/follower_pressure.hpp"
+#include "terms/pressure_edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@ namespace {
 
 using solve::pressure_on_element;
 
-/// Nodes of a warped element, 5 numbers each, as shells have them.
-std::array<double, 20> warped() {
-  std::array<double, 20> x{};
+/// Nodes of a warped element.
+std::array<double, 12> warped() {
+  std::array<double, 12> x{};
   const double corner[4][3] = {{0, 0, 0.2}, {2, 0.1, -0.3}, {2.2, 1.5, 0.4}, {-0.1, 1.3, 0.1}};
   for (size_t i = 0; i < 4; ++i)
-    for (size_t d = 0; d < 3; ++d) x[5 * i + d] = corner[i][d] + 3.0;
+    for (size_t d = 0; d < 3; ++d) x[3 * i + d] = corner[i][d] + 3.0;
   return x;
 }
 
@@ -27,20 +27,20 @@ INSTANTIATE_TEST_SUITE_P(Nodes, FollowerPressure, testing::Values(3, 4));
 // The stiffness is the second derivative of -p volume.
 TEST_P(FollowerPressure, StiffnessIsTheSecondDerivativeOfTheVolume) {
   const int n = GetParam();
-  std::array<double, 20> x = warped();
+  std::array<double, 12> x = warped();
   std::array<double, 144> stiffness{};
   constexpr double p = 0.7, h = 1e-4;
-  pressure_on_element(n, 5, x.data(), p, stiffness.data());
+  pressure_on_element(n, x.data(), p, stiffness.data());
   double size = 0.0;
   for (int r = 0; r < 3 * n; ++r)
     for (int c = 0; c < 3 * n; ++c) {
       double sum = 0.0;
       for (const double i : {-1.0, 1.0})
         for (const double j : {-1.0, 1.0}) {
-          std::array<double, 20> y = x;
-          y[static_cast<size_t>(5 * (r / 3) + r % 3)] += i * h;
-          y[static_cast<size_t>(5 * (c / 3) + c % 3)] += j * h;
-          sum -= i * j * p * pressure_on_element(n, 5, y.data(), p, nullptr).volume;
+          std::array<double, 12> y = x;
+          y[static_cast<size_t>(r)] += i * h;
+          y[static_cast<size_t>(c)] += j * h;
+          sum -= i * j * p * pressure_on_element(n, y.data(), p, nullptr).volume;
         }
       const double K = stiffness[static_cast<size_t>(r * 3 * n + c)];
       EXPECT_NEAR(sum / (4.0 * h * h), K, 1e-6) << r << " " << c;
@@ -52,11 +52,11 @@ TEST_P(FollowerPressure, StiffnessIsTheSecondDerivativeOfTheVolume) {
 // The forces on a plane element are pressure times area along its normal.
 TEST_P(FollowerPressure, ForceIsPressureTimesAreaAlongTheNormal) {
   const int n = GetParam();
-  std::array<double, 20> x{};
+  std::array<double, 12> x{};
   const double corner[4][2] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
   for (size_t i = 0; i < 4; ++i)
-    for (size_t d = 0; d < 2; ++d) x[5 * i + d] = corner[i][d];
-  const auto found = pressure_on_element(n, 5, x.data(), 3.0, nullptr);
+    for (size_t d = 0; d < 2; ++d) x[3 * i + d] = corner[i][d];
+  const auto found = pressure_on_element(n, x.data(), 3.0, nullptr);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < n; ++i) sum += Eigen::Vector3d(found.force + 3 * i);
   EXPECT_LT((sum - Eigen::Vector3d(0, 0, n == 4 ? 6.0 : 3.0)).norm(), 1e-12);
@@ -72,7 +72,7 @@ TEST(FollowerPressureOnABox, ForceIsTheGradientOfTheVolume) {
     for (const auto& f : face) {
       double x[12];
       for (int i = 0; i < 4; ++i) std::copy_n(node[static_cast<size_t>(f[i])].data(), 3, x + 3 * i);
-      const auto found = pressure_on_element(4, 3, x, 1.0, nullptr);
+      const auto found = pressure_on_element(4, x, 1.0, nullptr);
       volume += found.volume;
       for (int i = 0; i < 12 && force != nullptr; ++i) force[3 * f[i / 3] + i % 3] += found.force[i];
     }
@@ -115,7 +115,7 @@ class SlidingEdge : public testing::Test {
       double x[12];
       const std::array<int, 4> nodes = element(e);
       for (size_t i = 0; i < 4; ++i) std::copy_n(at(nodes[i]).data(), 3, x + 3 * i);
-      const auto found = pressure_on_element(4, 3, x, 1.0, nullptr);
+      const auto found = pressure_on_element(4, x, 1.0, nullptr);
       for (size_t i = 0; i < 4; ++i)
         if (nodes[i] == n) sum += Vec3(found.force + 3 * i);
       const size_t a = static_cast<size_t>(e), b = a + 1;
@@ -149,7 +149,7 @@ TEST_F(SlidingEdge, HasAPotential) {
 TEST_F(SlidingEdge, StiffnessIsTheDerivativeOfTheForce) {
   double x[12], K[144] = {};
   for (size_t i = 0; i < 4; ++i) std::copy_n(at(element(1)[i]).data(), 3, x + 3 * i);
-  pressure_on_element(4, 3, x, 1.0, K);
+  pressure_on_element(4, x, 1.0, K);
   const Eigen::Matrix3d edge = solve::edge_stiffness(at(1), at(2));
   for (const int row : {0, 2})
     for (const int column : {0, 2}) {

@@ -23,11 +23,11 @@ using ::testing::Not;
 // The sheared, compressed state in which the published Itskov fabric is known to lose ellipticity: F = (u, v).
 const solve::Vec3 sheared_u(0.95, 0.0, 0.0), sheared_v(2.3, 1.15, 0.0);
 
-const material::MaterialV1& itskov_law() {
+const material::LawV1& itskov_law() {
   return *material::find("itskov");
 }
 
-std::vector<double> pantyhose_values(const material::MaterialV1& law) {
+std::vector<double> pantyhose_values(const material::LawV1& law) {
   return {law.sets[0].values, law.sets[0].values + law.n_params};
 }
 
@@ -43,7 +43,7 @@ std::shared_ptr<material::Material> relaxed_itskov(material::Relaxation relaxati
 
 /// The hosiery fabric with its polynomials taken beyond their calibrated range.
 std::shared_ptr<material::Material> literal_rebar() {
-  const material::MaterialV1& rebar = *material::find("rebar");
+  const material::LawV1& rebar = *material::find("rebar");
   std::vector<double> values = pantyhose_values(rebar);
   for (int p = 0; p < rebar.n_params; ++p)
     if (std::string(rebar.info[p].name) == "calibrated strain") values[p] = 5.0;

@@ -97,14 +97,14 @@ TEST(Moment, DirectorsOfHeldPositions) {
 // 12 M/(Y h^3) of the whole section. (Seven layers integrate the kink to 0.4 %.)
 TEST(Moment, OnlyStretchedFibresBend) {
   constexpr double young = 0.1, tension = 1e-8, e = 0.25, c = 3.0 * (0.5 - e);
-  const material::MaterialV1& law = *material::find("isotropic-elastic");
+  const material::LawV1& law = *material::find("isotropic-elastic");
   for (const bool slack : {true, false}) {
     const auto response = std::make_shared<material::RelaxedResponse>(law, material::Relaxation::slack_fibres, 1e-4);
     Panels strip(
         std::make_shared<material::Material>(law, std::vector<double>{young, 0.0}, 1.0, slack ? response : nullptr));
     strip.add(solve::Vec3::Zero(), solve::Vec3::UnitX(), solve::Vec3::UnitY(), 0);
     strip.make_shells(young);
-    strip.problem.laws[0].shell.layers = 7;
+    strip.problem.models[0].shell.layers = 7;
     solve::NodalLoad pull = edge_moment(Panels::across, 0.0), bend = edge_moment(Panels::across, e * tension);
     pull.moment = false;
     pull.value = tension * solve::Vec3::UnitX();

@@ -1,5 +1,5 @@
 // What Newton does where there is no direction to go.
-#include "newton.hpp"
+#include "path/newton.hpp"
 
 #include <gtest/gtest.h>
 

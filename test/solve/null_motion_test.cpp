@@ -1,11 +1,11 @@
 // Rigid motions that nothing resists: which they are, what they are called, and that the pins hold them all.
-#include "null_motion.hpp"
+#include "equilibrium/null_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
-#include "notes.hpp"
+#include "simulation/notes.hpp"
 #include "stages.hpp"
 
 namespace toile::test {

@@ -11,8 +11,8 @@ namespace toile::test {
 
 /// A fabric that resists nothing: every entry of its tangent is exactly zero.
 inline material::Material limp_fabric() {
-  static const material::MaterialV1 limp = [] {
-    material::MaterialV1 law = *material::find("neo-hookean");
+  static const material::LawV1 limp = [] {
+    material::LawV1 law = *material::find("neo-hookean");
     law.evaluate = [](const void*, int n, const double*, const double*, int, double* W, double* S, double* D,
                       double* stretch, double*, std::uint8_t* status) {
       std::fill_n(W, n, 0.0);
@@ -64,16 +64,16 @@ struct Panels {
         block.position.push_back((j + 0.5) / along);
       }
     mesh.blocks.push_back(block);
-    problem.laws.push_back({element::find("membrane4"), material.get()});
+    problem.models.push_back({element::find("membrane4"), material.get()});
     problem.element_rank.emplace_back(static_cast<size_t>(across * along), rank);
   }
 
   /// Makes all panels shells whose directors start along z.
   void make_shells(double shear_modulus) {
     mesh.normal.assign(mesh.placed.size(), solve::Vec3::UnitZ());
-    for (solve::BlockLaw& law : problem.laws) {
-      law.element = element::find("shell4");
-      law.shell = {3, shear_modulus, false};
+    for (solve::BlockModel& model : problem.models) {
+      model.element = element::find("shell4");
+      model.shell = {3, shear_modulus, false};
     }
   }
 

@@ -24,7 +24,7 @@ class Cylinder : public body::Surface {
     s.found = true;
     return s;
   }
-  double reach() const override { return radius_; }
+  double range() const override { return radius_; }
   body::TriangleMesh triangles(double) const override { return {}; }
   std::string summary() const override { return "cylinder"; }
 
@@ -103,7 +103,7 @@ struct Sleeve {
     for (int j = 0; j <= o.along; ++j)
       for (int i = 0; i < o.around; ++i) problem.cluster_rank.push_back(rank_of(i, j));
     problem.mesh = &mesh;
-    problem.laws.push_back({element::find(o.formulation), material.get(), {3, shear_modulus, false}});
+    problem.models.push_back({element::find(o.formulation), material.get(), {3, shear_modulus, false}});
     problem.surface = surface.get();
   }
 
@@ -130,7 +130,7 @@ struct Sleeve {
     for (solve::Support& support : problem.supports)
       for (size_t i = 0, count = support.nodes.size(); i < count; ++i)
         support.nodes.push_back(support.nodes[i] + nodes);
-    problem.laws.push_back(problem.laws.front());
+    problem.models.push_back(problem.models.front());
     problem.element_rank.push_back(problem.element_rank.front());
   }
 };

@@ -11,7 +11,7 @@ namespace toile::test {
 namespace {
 
 // The pressure of a sleeve held at an axial stretch of 1.1 converges with second order to T/R
-// (reference/contact/contact_cyl_ax1.1_nh.csv of the project's reference set).
+// (test/data/contact/contact_cyl_ax1.1_nh.csv).
 TEST(Sleeve, PressureConvergesToLaplaceWithSecondOrder) {
   const double exact = 1.8517249566370777e-4;
   std::vector<double> errors;

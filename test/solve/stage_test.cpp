@@ -162,7 +162,7 @@ TEST(Stage, EndOfUnknownStabilityIsAWarning) {
     sheets.hold(p, 0);
     sheets.hold(p, Panels::across);
   }
-  sheets.problem.laws[1].material = &limp;
+  sheets.problem.models[1].material = &limp;
   Recorded run(sheets.problem);
   run.simulation.run(stage("settle"));
   EXPECT_EQ(run.last().negative_pivots, -1);

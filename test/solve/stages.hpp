@@ -15,7 +15,7 @@ inline std::shared_ptr<material::Material> neo_hookean() {
 }
 
 inline std::shared_ptr<material::Material> pantyhose() {
-  const material::MaterialV1& rebar = *material::find("rebar");
+  const material::LawV1& rebar = *material::find("rebar");
   const double* values = rebar.sets[0].values;
   return std::make_shared<material::Material>(rebar, std::vector<double>(values, values + rebar.n_params), 1.0);
 }

@@ -20,7 +20,7 @@ Panels stretched_panel(const char* formulation) {
   Panels panel(neo_hookean());
   panel.add(Vec3::Zero(), 1.1 * Vec3::UnitX(), 1.05 * Vec3::UnitY(), 0);
   panel.mesh.normal.assign(static_cast<size_t>(Panels::nodes()), Vec3::UnitZ());
-  panel.problem.laws[0] = {element::find(formulation), panel.material.get(), {3, 0.01, false}};
+  panel.problem.models[0] = {element::find(formulation), panel.material.get(), {3, 0.01, false}};
   panel.hold(0, 0);
   panel.hold(0, Panels::across);
   const int ranks = Tpetra::getDefaultComm()->getSize();
@@ -29,7 +29,7 @@ Panels stretched_panel(const char* formulation) {
     panel.problem.cluster_rank[static_cast<size_t>(n)] = rank_of_row(n / (Panels::across + 1));
   for (int e = 0; e < Panels::across * Panels::along; ++e)
     panel.problem.element_rank[0][static_cast<size_t>(e)] = rank_of_row(e / Panels::across);
-  if (panel.problem.laws[0].is_shell())
+  if (panel.problem.models[0].is_shell())
     for (solve::Support& support : panel.problem.supports) support.director = solve::DirectorSupport::held;
   return panel;
 }

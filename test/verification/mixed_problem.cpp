@@ -42,8 +42,8 @@ MixedProblem::MixedProblem(const solve::Problem& whole) : problem(whole), mesh_(
       add({a, b, d, b, c, d}, all, e, mesh_.blocks[1]);
   }
   problem.mesh = &mesh_;
-  problem.laws = {whole.laws[0], whole.laws[0]};
-  problem.laws[1].element = element::find(whole.laws[0].is_shell() ? "shell3" : "membrane3");
+  problem.models = {whole.models[0], whole.models[0]};
+  problem.models[1].element = element::find(whole.models[0].is_shell() ? "shell3" : "membrane3");
   problem.element_rank.clear();
   for (const mesh::Block& block : mesh_.blocks) problem.element_rank.emplace_back(static_cast<size_t>(block.size()), 0);
 }

@@ -48,7 +48,7 @@ std::shared_ptr<const body::Surface> surface_of(const ContactReference& referenc
 }
 
 std::unique_ptr<material::Material> fabric_of(const std::string& short_name, const PatternOptions& options) {
-  const material::MaterialV1& law = *material::find(material_of(short_name));
+  const material::LawV1& law = *material::find(material_of(short_name));
   const auto set = std::find_if(law.sets, law.sets + law.n_sets,
                                 [](const material::ParamSet& s) { return std::string(s.name) == "pantyhose"; });
   std::vector<double> params(set->values, set->values + law.n_params);
@@ -106,7 +106,7 @@ void PatternSleeve::add_block(const std::string& name, int nodes, const std::vec
   block.position.assign(static_cast<size_t>(block.size()), 0.5);
   problem.element_rank.emplace_back(static_cast<size_t>(block.size()), 0);
   const std::string kind = options_.shell_c10 > 0.0 ? "shell" : "membrane";
-  problem.laws.push_back(
+  problem.models.push_back(
       {element::find(kind + std::to_string(nodes)), material_.get(), {3, 2.0 * options_.shell_c10 * 5.0 / 6.0, false}});
   mesh_.blocks.push_back(block);
 }

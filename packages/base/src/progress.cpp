@@ -12,7 +12,7 @@ void PathClock::start(double seconds) {
   seconds_ = {seconds};
 }
 
-void PathClock::reach(double parameter, double seconds) {
+void PathClock::advance(double parameter, double seconds) {
   if (parameter > parameter_.back()) {
     parameter_.push_back(parameter);
     seconds_.push_back(seconds);

@@ -66,10 +66,10 @@ class Revolution final : public RotatedSurface {
       const auto value = profile_->at(shown_.bottom + (shown_.top - shown_.bottom) * i / samples);
       greatest_radius_ = std::max(greatest_radius_, value.radius);
       const double bend = std::abs(value.bend) / std::pow(1.0 + value.slope * value.slope, 1.5);
-      reach_ = std::min({reach_, 0.5 * value.radius, bend > 0.0 ? 0.5 / bend : reach_});
+      range_ = std::min({range_, 0.5 * value.radius, bend > 0.0 ? 0.5 / bend : range_});
     }
   }
-  double reach() const override { return reach_; }
+  double range() const override { return range_; }
   TriangleMesh triangles(double size) const override {
     const int rows = divisions(shown_.top - shown_.bottom, size, 1);
     const int columns = divisions(2.0 * M_PI * greatest_radius_, size, 12);
@@ -87,14 +87,14 @@ class Revolution final : public RotatedSurface {
   ProfilePtr profile_;
   Span shown_;
   std::string name_;
-  double reach_ = std::numeric_limits<double>::infinity();
+  double range_ = std::numeric_limits<double>::infinity();
   double greatest_radius_ = 0.0;
 };
 
 class Ellipsoid final : public RotatedSurface {
  public:
   Ellipsoid(double radius, double half_height) : a_(radius), b_(half_height) {}
-  double reach() const override { return 0.5 * std::min(a_ * a_ / b_, b_ * b_ / a_); }
+  double range() const override { return 0.5 * std::min(a_ * a_ / b_, b_ * b_ / a_); }
   TriangleMesh triangles(double size) const override {
     const int rows = divisions(M_PI * std::max(a_, b_), size, 8);
     const int columns = divisions(2.0 * M_PI * a_, size, 12);
@@ -137,7 +137,7 @@ class EllipticCylinder final : public Surface {
     }
     return result;
   }
-  double reach() const override { return 0.5 * std::min(a_ * a_ / b_, b_ * b_ / a_); }
+  double range() const override { return 0.5 * std::min(a_ * a_ / b_, b_ * b_ / a_); }
   TriangleMesh triangles(double size) const override {
     const int rows = divisions(shown_.top - shown_.bottom, size, 1);
     const int columns = divisions(2.0 * M_PI * std::max(a_, b_), size, 12);

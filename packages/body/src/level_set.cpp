@@ -14,7 +14,7 @@
 namespace toile::body {
 namespace {
 
-constexpr double least_reach = 25.0;  ///< mm; fabric further away has no business with the smooth surface
+constexpr double least_range = 25.0;  ///< mm; fabric further away has no business with the smooth surface
 
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
@@ -69,7 +69,7 @@ class LevelSetSurface final : public Surface {
     report_fit();
   }
   SurfacePoint closest(const Vec3& point) const override;
-  double reach() const override { return reach_; }
+  double range() const override { return range_; }
   TriangleMesh triangles(double) const override { return mesh_; }
   std::string summary() const override { return name_ + ", " + fit_; }
 
@@ -86,7 +86,7 @@ class LevelSetSurface final : public Surface {
   SplineField field_;
   std::string name_;
   std::string fit_;
-  double reach_ = least_reach;
+  double range_ = least_range;
 };
 
 bool LevelSetSurface::solve(const Vec3& point, Vec3* y, double* mu, SplineField::Value* field) const {
@@ -124,7 +124,7 @@ bool LevelSetSurface::solve(const Vec3& point, Vec3* y, double* mu, SplineField:
 SurfacePoint LevelSetSurface::closest(const Vec3& point) const {
   const TriangleTree::Hit hit = tree_.closest(point);
   SurfacePoint result = from_facets(hit, point);
-  if (hit.distance > reach_) {
+  if (hit.distance > range_) {
     return result;
   }
   Vec3 y = hit.point;
@@ -185,10 +185,10 @@ class FacetSurface final : public Surface {
   FacetSurface(TriangleMesh mesh, std::string name) : mesh_(std::move(mesh)), tree_(mesh_), name_(std::move(name)) {}
   SurfacePoint closest(const Vec3& point) const override {
     SurfacePoint result = from_facets(tree_.closest(point), point);
-    result.found = std::abs(result.gap) <= reach();
+    result.found = std::abs(result.gap) <= range();
     return result;
   }
-  double reach() const override { return least_reach; }
+  double range() const override { return least_range; }
   TriangleMesh triangles(double) const override { return mesh_; }
   std::string summary() const override { return name_ + ", bare facets (pressure shows them)"; }
 

@@ -11,6 +11,10 @@
 
 namespace toile::contact {
 
+double pressure(double force, double area) {
+  return area > 0.0 ? force / area : 0.0;
+}
+
 namespace {
 
 /// How a cluster lies on the body.

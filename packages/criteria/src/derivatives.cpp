@@ -15,7 +15,7 @@ constexpr double tolerance = 1e-6;
 constexpr std::array<double, 3> by_strain = {2.0, 2.0, 1.0};
 constexpr int quantities = 4;  // W, S11, S22, S12
 
-double quantity(const State& s, int k) {
+double quantity(const Outputs& s, int k) {
   return k == 0 ? s.W : s.S[static_cast<std::size_t>(k) - 1];
 }
 
@@ -43,7 +43,7 @@ struct Slopes {
   }
 };
 
-Slopes slopes(const Fabric& fabric, const State& at, int b) {
+Slopes slopes(const Fabric& fabric, const Outputs& at, int b) {
   const double step = 4e-3 * smaller_eigenvalue(at.C) / by_strain[b];
   std::vector<Strain> strains;
   for (int i = 0; i < levels; ++i)
@@ -51,9 +51,9 @@ Slopes slopes(const Fabric& fabric, const State& at, int b) {
       strains.push_back(at.C);
       strains.back()[b] += sign * by_strain[b] * step / (1 << i);
     }
-  const std::vector<State> states = fabric.evaluate(strains);
+  const std::vector<Outputs> states = fabric.evaluate(strains);
   Slopes result;
-  for (const State& state : states) result.refused = result.refused || !state.admissible();
+  for (const Outputs& state : states) result.refused = result.refused || !state.admissible();
   for (int k = 0; k < quantities; ++k) {
     std::array<std::array<double, levels>, 3> rows;
     for (int i = 0; i < levels; ++i) {
@@ -75,7 +75,7 @@ struct Errors {
   double worst() const { return std::max({stress, tangent, symmetry}); }
 };
 
-Errors errors_at(const Fabric& fabric, const State& s) {
+Errors errors_at(const Fabric& fabric, const Outputs& s) {
   const double stretch = smaller_eigenvalue(s.C);
   double S = 0.0, D = 0.0;
   for (double value : s.S) S = std::max(S, std::abs(value));
@@ -105,8 +105,8 @@ Finding derivatives(const Fabric& fabric, const Request& request) {
   strains.push_back({1.0, 1.0, 0.0});
   Errors largest;
   int tried = 0;
-  const std::vector<State> states = fabric.evaluate(strains);
-  for (const State& s : states) {
+  const std::vector<Outputs> states = fabric.evaluate(strains);
+  for (const Outputs& s : states) {
     if (!s.admissible() || smaller_eigenvalue(s.C) < 0.01) continue;
     const Errors errors = errors_at(fabric, s);
     if (errors.refused) continue;

@@ -17,7 +17,7 @@ std::vector<Fabric> fabrics_of(const material::Material& material, const std::st
 
 std::vector<Fabric> published_fabrics() {
   std::vector<Fabric> fabrics;
-  for (const material::MaterialV1* law : material::registry())
+  for (const material::LawV1* law : material::registry())
     for (int i = 0; i < law->n_sets; ++i) {
       const material::ParamSet& set = law->sets[i];
       const std::vector<double> params(set.values, set.values + law->n_params);

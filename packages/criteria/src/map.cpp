@@ -24,7 +24,7 @@ struct Eigenvalues {
 
 /// d2W/dl_i dl_j of the principal stretches l at fixed principal directions n: dC = 2 l dl n (x) n, so
 /// H_ij = l_i l_j (n_i n_i):D:(n_j n_j) + delta_ij S:(n_i n_i).
-Eigenvalues stretch_hessian(const State& s) {
+Eigenvalues stretch_hessian(const Outputs& s) {
   const auto n = principal_directions(s.C);
   std::array<std::array<double, 3>, 2> e;
   std::array<double, 2> stretch, stress;
@@ -68,7 +68,7 @@ std::array<double, 3> eigenvalues(std::array<std::array<double, 3>, 3> A) {
 }
 
 /// In the orthonormal components (E11, E22, sqrt(2) E12), E3 = C12 = 2 E12.
-std::array<double, 3> tangent_eigenvalues(const State& s) {
+std::array<double, 3> tangent_eigenvalues(const Outputs& s) {
   const double root = std::sqrt(2.0);
   const std::array<double, 3> scale = {1.0, 1.0, root};
   std::array<std::array<double, 3>, 3> A;
@@ -79,7 +79,7 @@ std::array<double, 3> tangent_eigenvalues(const State& s) {
 
 }  // namespace
 
-MapPoint map_point(double wale, double course, double shear, const State& s) {
+MapPoint map_point(double wale, double course, double shear, const Outputs& s) {
   MapPoint point = {wale, course, shear, s};
   if (!s.admissible()) {
     point.ellipticity = point.direction = point.convexity = point.condition = not_a_number;
@@ -111,7 +111,7 @@ std::vector<MapPoint> map(const Fabric& fabric, const Request& request) {
         strains.push_back(strain_of(wale, course, shear));
         points.push_back({wale, course, shear, {}});
       }
-  const std::vector<State> states = fabric.evaluate(strains);
+  const std::vector<Outputs> states = fabric.evaluate(strains);
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = map_point(points[i].wale, points[i].course, points[i].shear, states[i]);
   return points;

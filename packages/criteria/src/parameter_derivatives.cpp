@@ -31,7 +31,7 @@ double least_error(double slope, double here, const std::array<double, 2>& down,
 
 }  // namespace
 
-ParameterError parameter_error(const Fabric& fabric, const std::vector<State>& states) {
+ParameterError parameter_error(const Fabric& fabric, const std::vector<Outputs>& states) {
   constexpr double relative_step = 1e-6, least_size = 1e-3;
   ParameterError worst;
   if (fabric.params.empty()) return worst;
@@ -39,7 +39,7 @@ ParameterError parameter_error(const Fabric& fabric, const std::vector<State>& s
   constexpr double part_of_modulus = 1e-3;
   std::vector<Strain> strains;
   std::vector<double> least_scale;
-  for (const State& s : states) {
+  for (const Outputs& s : states) {
     if (!s.admissible()) continue;
     strains.push_back(s.C);
     double modulus = 0.0;

@@ -11,6 +11,6 @@ struct ParameterError {
   std::string parameter;
   Strain where = {1.0, 1.0, 0.0};
 };
-ParameterError parameter_error(const Fabric& fabric, const std::vector<State>& states);
+ParameterError parameter_error(const Fabric& fabric, const std::vector<Outputs>& states);
 
 }  // namespace toile::criteria

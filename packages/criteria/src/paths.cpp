@@ -11,10 +11,10 @@ namespace {
 constexpr int steps = 400;
 
 /// Newton on S_free = S12 = 0 in (C_free, C12), halving steps that leave the admissible states or raise the residual.
-std::optional<State> relaxed(const Fabric& fabric, Strain C, int free) {
-  const auto residual = [&](const State& s) { return std::hypot(s.S[free], s.S[2]); };
+std::optional<Outputs> relaxed(const Fabric& fabric, Strain C, int free) {
+  const auto residual = [&](const Outputs& s) { return std::hypot(s.S[free], s.S[2]); };
   const double to_C = 2.0;
-  State s = fabric.evaluate(C);
+  Outputs s = fabric.evaluate(C);
   if (!s.admissible()) return std::nullopt;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const double scale = std::abs(s.tangent(free, free)) * s.C[free];
@@ -27,18 +27,18 @@ std::optional<State> relaxed(const Fabric& fabric, Strain C, int free) {
       Strain next = s.C;
       next[free] += part * to_C * dE;
       next[2] += part * dC12;
-      const State trial = fabric.evaluate(next);
+      const Outputs trial = fabric.evaluate(next);
       if (!trial.admissible() || !(residual(trial) < residual(s))) continue;
       s = trial;
       improved = true;
     }
-    if (!improved) return residual(s) <= 1e-9 * scale ? std::optional<State>(s) : std::nullopt;
+    if (!improved) return residual(s) <= 1e-9 * scale ? std::optional<Outputs>(s) : std::nullopt;
   }
   return std::nullopt;
 }
 
 /// Nominal stress along the stretched axes: dW/dl of the path.
-double force(const State& s, const Path& path, double stretch) {
+double force(const Outputs& s, const Path& path, double stretch) {
   return stretch * ((path.wale ? s.S[0] : 0.0) + (path.course ? s.S[1] : 0.0));
 }
 
@@ -80,7 +80,7 @@ std::vector<Path> paths() {
           {"equibiaxial", true, true, false}};
 }
 
-std::optional<State> state_on(const Fabric& fabric, const Path& path, double stretch, const Strain& guess) {
+std::optional<Outputs> state_on(const Fabric& fabric, const Path& path, double stretch, const Strain& guess) {
   const double squared = stretch * stretch;
   Strain C = {path.wale ? squared : 1.0, path.course ? squared : 1.0, 0.0};
   if (path.free) {
@@ -89,8 +89,8 @@ std::optional<State> state_on(const Fabric& fabric, const Path& path, double str
     C[2] = guess[2];
     return relaxed(fabric, C, free);
   }
-  const State s = fabric.evaluate(C);
-  return s.admissible() ? std::optional<State>(s) : std::nullopt;
+  const Outputs s = fabric.evaluate(C);
+  return s.admissible() ? std::optional<Outputs>(s) : std::nullopt;
 }
 
 Losses losses(const Fabric& fabric, const Path& path, double end) {

@@ -18,11 +18,11 @@ double largest(const std::array<double, 3>& values) {
   return std::max({std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
 }
 
-double stiffness(const State& state) {
+double stiffness(const Outputs& state) {
   return std::max({std::abs(state.D[0]), std::abs(state.D[1]), std::abs(state.D[2])});
 }
 
-bool positive_definite(const State& s) {
+bool positive_definite(const Outputs& s) {
   const auto D = [&](int a, int b) { return s.tangent(a, b); };
   const double second = D(0, 0) * D(1, 1) - D(0, 1) * D(0, 1);
   const double third = D(0, 0) * (D(1, 1) * D(2, 2) - D(1, 2) * D(1, 2)) -
@@ -31,7 +31,7 @@ bool positive_definite(const State& s) {
   return D(0, 0) > 0.0 && second > 0.0 && third > 0.0;
 }
 
-bool all_nan(const State& s) {
+bool all_nan(const Outputs& s) {
   const auto is_nan = [](double value) { return std::isnan(value); };
   return std::isnan(s.W) && std::isnan(s.thickness_stretch) && std::all_of(s.S.begin(), s.S.end(), is_nan) &&
          std::all_of(s.D.begin(), s.D.end(), is_nan);
@@ -55,7 +55,7 @@ std::vector<Strain> extreme_states() {
 }  // namespace
 
 Finding natural_state(const Fabric& fabric) {
-  const State s = fabric.evaluate(Strain{1.0, 1.0, 0.0});
+  const Outputs s = fabric.evaluate(Strain{1.0, 1.0, 0.0});
   if (!s.finite()) return judged(name::natural, false, "the law gives no numbers at C = I");
   const double unit = stiffness(s), stress = largest(s.S);
   std::string text = "W = " + figure(s.W) + " MPa, |S| = " + figure(stress) + " MPa, stiffness wale " + figure(s.D[0]) +
@@ -72,7 +72,7 @@ Finding finite_numbers(const Fabric& fabric, const Request& request) {
   std::vector<Strain> strains = extreme_states();
   for (const Strain& C : random_states(request, 4000)) strains.push_back(C);
   int refused = 0, counted = 0;
-  for (const State& s : fabric.evaluate(strains, &counted)) {
+  for (const Outputs& s : fabric.evaluate(strains, &counted)) {
     const bool clean = s.admissible() ? s.finite() : all_nan(s);
     if (!clean) return judged(name::finite, false, "not finite, and no status says so, at " + place(s.C));
     refused += s.admissible() ? 0 : 1;
@@ -124,7 +124,7 @@ Finding growth(const Fabric& fabric) {
       double last = 0.0;
       for (int i = 1; i <= steps; ++i) {
         const double l = std::pow(end, i / static_cast<double>(steps));
-        const State s = fabric.evaluate(strain_of(std::pow(l, way.wale), std::pow(l, way.course), 0.0));
+        const Outputs s = fabric.evaluate(strain_of(std::pow(l, way.wale), std::pow(l, way.course), 0.0));
         if (!s.admissible()) break;
         if (!(s.W > last))
           return judged(name::growth, false,

@@ -47,7 +47,7 @@ std::vector<Sampled> all_turned(const Fabric& fabric, const std::vector<MapPoint
     base.push_back({{p.wale, p.shear, 0.0, p.course}, p.state.W});
     if (p.shear != 0.0) mirrored.push_back(strain_of(p.wale, p.course, -p.shear));
   }
-  for (const State& s : fabric.evaluate(mirrored))
+  for (const Outputs& s : fabric.evaluate(mirrored))
     if (s.admissible()) base.push_back({upper_triangular(s.C), s.W});
   for (const Sampled& one : base)
     for (int k = 0; k < turns; ++k) all.push_back({rotated(one.F, 2.0 * pi * k / turns), one.W});
@@ -55,7 +55,7 @@ std::vector<Sampled> all_turned(const Fabric& fabric, const std::vector<MapPoint
 }
 
 /// Whether the bounds of all `samples` on the slope a at F0 contradict each other.
-bool is_refuted(const State& s, const std::vector<Sampled>& samples) {
+bool is_refuted(const Outputs& s, const std::vector<Sampled>& samples) {
   const Gradient F0 = upper_triangular(s.C), P = nominal_stress(F0, s.S);
   double lower = -std::numeric_limits<double>::infinity(), upper = -lower;
   for (const Sampled& other : samples) {
@@ -91,7 +91,7 @@ Polyconvexity polyconvexity(const Fabric& fabric, const Request& request, const 
     ++result.mapped;
     if (!p.elliptic && result.not_elliptic++ == 0) result.at = p.state.C;
   }
-  for (const State& s : fabric.evaluate(random_states(request, n))) {
+  for (const Outputs& s : fabric.evaluate(random_states(request, n))) {
     if (!s.admissible()) continue;
     const bool tensile = s.tensile();
     ++result.states;

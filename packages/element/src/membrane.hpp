@@ -47,7 +47,7 @@ class Membrane final : public Element {
   static constexpr int chunk_points = chunk_elements * Points;
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-  /// Points of up to chunk_elements elements, and what the material answers (see MaterialV1 for the layouts).
+  /// Points of up to chunk_elements elements, and what the material answers (see LawV1 for the layouts).
   struct Chunk {
     int n = 0;  ///< points
     std::array<Point, chunk_points> point;

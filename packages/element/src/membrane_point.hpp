@@ -37,7 +37,7 @@ struct MembranePoint {
   double area_stretch() const;
   /// r += the gradient with respect to x of a density with first derivative S (already times thickness and area).
   void add_residual(const double (&S)[3], double (&r)[dofs]) const;
-  /// K += the Hessian with second derivative D (order as in MaterialV1): blocks (i, j) with j >= i only.
+  /// K += the Hessian with second derivative D (order as in LawV1): blocks (i, j) with j >= i only.
   void add_tangent(const double (&S)[3], const double (&D)[6], double (&K)[dofs][dofs]) const;
 };
 

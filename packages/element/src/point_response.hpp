@@ -9,7 +9,7 @@
 
 namespace toile::element {
 
-/// Material points of a chunk of elements and what the material answers; layouts as in material::MaterialV1.
+/// Material points of a chunk of elements and what the material answers; layouts as in material::LawV1.
 struct PointResponse {
   int n = 0;
   std::vector<double> C, W, S, D, thickness_stretch, params;

@@ -38,7 +38,7 @@ std::vector<double> fitted_states(const FitProblem& problem, const std::vector<d
 }
 
 /// Number of states that the law says it is continued at.
-long extrapolated(const material::MaterialV1& law, const std::vector<double>& C, const std::vector<double>& params) {
+long extrapolated(const material::LawV1& law, const std::vector<double>& C, const std::vector<double>& params) {
   const int n = static_cast<int>(C.size() / 3);
   std::vector<double> W(C.size() / 3), S(C.size()), thickness(C.size() / 3);
   std::vector<std::uint8_t> status(C.size() / 3);

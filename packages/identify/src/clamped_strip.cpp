@@ -22,7 +22,7 @@ constexpr double least_part = 1.0 / 256.0;
 constexpr double longest_load_step = 0.1;
 
 /// Equilibrium at a displacement u of the moving end.
-struct State {
+struct StripState {
   double u;
   Vector x, v;   ///< positions, and their derivative by u
   Vector dv;     ///< difference quotient of v over the step that led here
@@ -63,7 +63,7 @@ double descend(StripEquations& equations, Vector& x, double energy, const Vector
 }
 
 /// Equilibrium with the end at `u`, from positions `x` that have it there.
-std::optional<State> equilibrium(StripEquations& equations, double u, Vector x) {
+std::optional<StripState> equilibrium(StripEquations& equations, double u, Vector x) {
   double energy = equations.evaluate(x);
   for (int i = 0; i < most_iterations && std::isfinite(energy); ++i) {
     const auto d = direction(equations);
@@ -72,7 +72,7 @@ std::optional<State> equilibrium(StripEquations& equations, double u, Vector x) 
       if (!d->is_stable) return std::nullopt;
       Vector v = equations.pull() + equations.solve(equations.pulled());
       const double force = v.dot(equations.gradient());
-      return State{u, x + d->step, std::move(v), Vector::Zero(x.size()), force};
+      return StripState{u, x + d->step, std::move(v), Vector::Zero(x.size()), force};
     }
     energy = descend(equations, x, energy, d->step);
   }
@@ -80,7 +80,7 @@ std::optional<State> equilibrium(StripEquations& equations, double u, Vector x) 
 }
 
 /// The state at `end`, from `state` on, in steps that are cut where Newton's method fails.
-std::optional<State> load(StripEquations& equations, State state, double end) {
+std::optional<StripState> load(StripEquations& equations, StripState state, double end) {
   const double way = end - state.u;
   const double longest = longest_load_step * equations.length();
   double step = way / std::max(1.0, std::ceil(std::abs(way) / longest));
@@ -115,13 +115,13 @@ long ClampedStrip::factorisations() const {
   return equations_->factorisations();
 }
 
-int ClampedStrip::follow(const material::MaterialV1& law, const double* params, double* stress, double* gradient) {
+int ClampedStrip::follow(const material::LawV1& law, const double* params, double* stress, double* gradient) {
   StripEquations& equations = *equations_;
   equations.set_law(law, params);
   const std::size_t n = stretches_.size();
   std::fill_n(stress, n, no_value);
   if (gradient != nullptr) std::fill_n(gradient, n * static_cast<std::size_t>(law.n_params), no_value);
-  std::optional<State> state = equilibrium(equations, 0.0, equations.at_rest());
+  std::optional<StripState> state = equilibrium(equations, 0.0, equations.at_rest());
   for (std::size_t i = 0; i < n && state; ++i) {
     state = load(equations, std::move(*state), (stretches_[i] - 1.0) * equations.length());
     if (!state) break;
@@ -131,11 +131,11 @@ int ClampedStrip::follow(const material::MaterialV1& law, const double* params, 
   return static_cast<int>(std::count_if(stress, stress + n, [](double P) { return !std::isfinite(P); }));
 }
 
-int ClampedStrip::stress(const material::MaterialV1& law, const double* params, double* stress) {
+int ClampedStrip::stress(const material::LawV1& law, const double* params, double* stress) {
   return follow(law, params, stress, nullptr);
 }
 
-int ClampedStrip::stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
+int ClampedStrip::stress_and_gradient(const material::LawV1& law, const double* params, double* stress,
                                       double* gradient) {
   return follow(law, params, stress, gradient);
 }

@@ -22,7 +22,7 @@ class Parts final : public ForwardModel {
   }
 
   int size() const override { return size_; }
-  int stress(const material::MaterialV1& law, const double* params, double* stress) override {
+  int stress(const material::LawV1& law, const double* params, double* stress) override {
     int bad = 0;
     for (const Part& part : parts_) {
       stress_.resize(part.points.size());
@@ -31,8 +31,7 @@ class Parts final : public ForwardModel {
     }
     return bad;
   }
-  int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
-                          double* gradient) override {
+  int stress_and_gradient(const material::LawV1& law, const double* params, double* stress, double* gradient) override {
     int bad = 0;
     for (const Part& part : parts_) {
       stress_.resize(part.points.size());

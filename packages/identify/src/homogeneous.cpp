@@ -88,7 +88,7 @@ void Homogeneous::load_state(int count) {
   }
 }
 
-void Homogeneous::evaluate(const material::MaterialV1& law, const double* params, int count, double* sensitivity) {
+void Homogeneous::evaluate(const material::LawV1& law, const double* params, int count, double* sensitivity) {
   load_state(count);
   law.evaluate(law.context, count, C_.data(), params, 0, W_.data(), S_.data(), D_.data(), thickness_.data(),
                sensitivity, status_.data());
@@ -131,7 +131,7 @@ int Homogeneous::newton_steps(int count) {
   return remaining;
 }
 
-void Homogeneous::solve(const material::MaterialV1& law, const double* params) {
+void Homogeneous::solve(const material::LawV1& law, const double* params) {
   start();
   int count = n_;
   for (int k = 0; k < most_steps && count > 0; ++k) {
@@ -141,13 +141,13 @@ void Homogeneous::solve(const material::MaterialV1& law, const double* params) {
   for (int i = 0; i < count; ++i) stress_[active_[i]] = not_a_number;
 }
 
-int Homogeneous::stress(const material::MaterialV1& law, const double* params, double* stress) {
+int Homogeneous::stress(const material::LawV1& law, const double* params, double* stress) {
   solve(law, params);
   std::copy(stress_.begin(), stress_.end(), stress);
   return static_cast<int>(std::count_if(stress_.begin(), stress_.end(), [](double v) { return !std::isfinite(v); }));
 }
 
-int Homogeneous::stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
+int Homogeneous::stress_and_gradient(const material::LawV1& law, const double* params, double* stress,
                                      double* gradient) {
   const int bad = this->stress(law, params, stress);
   const auto n = static_cast<std::size_t>(n_), n_params = static_cast<std::size_t>(law.n_params);

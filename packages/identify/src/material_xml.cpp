@@ -75,7 +75,7 @@ std::string plugin_xml(const base::List& plugin, const std::string& folder) {
 }  // namespace
 
 std::string material_xml(const FitProblem& problem, const std::vector<double>& params) {
-  const material::MaterialV1& law = problem.law();
+  const material::LawV1& law = problem.law();
   std::string text = line("type", "string", law.name) + line("thickness", "double", number(problem.thickness()));
   for (int i = 0; i < law.n_params; ++i) {
     const material::ParamInfo& info = law.info[i];

@@ -115,7 +115,7 @@ void StripEquations::build_pattern() {
       }
 }
 
-void StripEquations::set_law(const material::MaterialV1& law, const double* params) {
+void StripEquations::set_law(const material::LawV1& law, const double* params) {
   law_ = &law;
   params_ = params;
 }

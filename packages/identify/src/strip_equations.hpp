@@ -21,7 +21,7 @@ class StripEquations {
   double length() const { return length_; }  ///< of the strip of unit width
   long factorisations() const { return factorisations_; }
 
-  void set_law(const material::MaterialV1& law, const double* params);
+  void set_law(const material::LawV1& law, const double* params);
   /// Positions at rest, and the direction in which the moving end is pulled: one there, zero elsewhere.
   const Vector& at_rest() const { return at_rest_; }
   const Vector& pull() const { return pull_; }
@@ -62,7 +62,7 @@ class StripEquations {
   Eigen::SimplicialLDLT<Sparse> factors_;
   long factorisations_ = 0;
 
-  const material::MaterialV1* law_ = nullptr;
+  const material::LawV1* law_ = nullptr;
   const double* params_ = nullptr;
   element::Batch batch_;
   std::vector<double> x_, energies_, residuals_, tangents_;

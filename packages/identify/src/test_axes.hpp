@@ -23,7 +23,7 @@ inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// D [6] in the order of MaterialV1, times a strain.
+/// D [6] in the order of LawV1, times a strain.
 inline std::array<double, 3> times(const std::array<double, 6>& D, const std::array<double, 3>& E) {
   return {D[0] * E[0] + D[3] * E[1] + D[4] * E[2], D[3] * E[0] + D[1] * E[1] + D[5] * E[2],
           D[4] * E[0] + D[5] * E[1] + D[2] * E[2]};

@@ -11,13 +11,13 @@ namespace {
 
 using formula::Program;
 
-/// Everything that a MaterialV1 points to.
+/// Everything that a LawV1 points to.
 struct FormulaLaw {
   std::string name, text;
   std::vector<FormulaParameter> parameters;
   std::vector<ParamInfo> info;
   Program program;
-  MaterialV1 law;
+  LawV1 law;
 };
 
 /// Memory of one thread for values of type T, kept from call to call.

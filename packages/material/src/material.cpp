@@ -20,7 +20,7 @@ struct Objection {
   std::string text;
 };
 
-std::optional<Objection> objection(const MaterialV1& law, const std::vector<double>& params) {
+std::optional<Objection> objection(const LawV1& law, const std::vector<double>& params) {
   std::array<char, 1024> message = {};
   const int code =
       law.check ? law.check(law.context, params.data(), message.data(), static_cast<int>(message.size())) : 0;
@@ -28,7 +28,7 @@ std::optional<Objection> objection(const MaterialV1& law, const std::vector<doub
   return Objection{code - 1, message.data()};
 }
 
-const ParamSet* named_set(const MaterialV1& law, const base::List& list) {
+const ParamSet* named_set(const LawV1& law, const base::List& list) {
   if (law.n_sets == 0) return nullptr;
   const std::string& name = list.word("set");
   const auto* end = law.sets + law.n_sets;
@@ -44,7 +44,7 @@ double given_value(const ParamInfo& info, const base::List& list) {
   return static_cast<double>(word - words.begin());
 }
 
-[[noreturn]] void fail_missing(const MaterialV1& law, const ParamInfo& info, const base::List& list) {
+[[noreturn]] void fail_missing(const LawV1& law, const ParamInfo& info, const base::List& list) {
   std::string text = list.file() + ": " + list.path() + ": missing parameter \"" + info.name + "\" of material \"" +
                      law.name + "\", expected a double" + (*info.unit ? std::string(" in ") + info.unit : "") + ": " +
                      info.text;
@@ -55,7 +55,7 @@ double given_value(const ParamInfo& info, const base::List& list) {
 
 /// What speaks against the natural state C = 1 of `law`: energy or stress above rounding (1e-9 of the tangent). Empty
 /// if there is nothing.
-std::string natural_objection(const MaterialV1& law, const std::vector<double>& params) {
+std::string natural_objection(const LawV1& law, const std::vector<double>& params) {
   constexpr std::array<double, 3> natural = {1.0, 1.0, 0.0};
   std::array<double, 3> S = {};
   std::array<double, 6> D = {};
@@ -74,7 +74,7 @@ std::string natural_objection(const MaterialV1& law, const std::vector<double>& 
 }
 
 /// Throws what `law` says against `params`; blames the set for a value that the file does not give.
-void require_valid(const MaterialV1& law, const std::vector<double>& params, const base::List& list) {
+void require_valid(const LawV1& law, const std::vector<double>& params, const base::List& list) {
   const auto found = objection(law, params);
   if (!found) {
     const std::string natural = natural_objection(law, params);
@@ -86,14 +86,14 @@ void require_valid(const MaterialV1& law, const std::vector<double>& params, con
   list.fail("set", std::string("parameter \"") + info.name + "\": " + found->text);
 }
 
-int index_of(const MaterialV1& law, const std::string& param) {
+int index_of(const LawV1& law, const std::string& param) {
   for (int i = 0; i < law.n_params; ++i)
     if (param == law.info[i].name) return i;
   return -1;
 }
 
 /// Whether slack fibres of a law are those that it has; then it has the parameter "fibres in compression" (off: 0).
-bool has_slack_fibres(const MaterialV1& law, const std::vector<double>& params, const base::List& list) {
+bool has_slack_fibres(const LawV1& law, const std::vector<double>& params, const base::List& list) {
   const int fibres = index_of(law, "fibres in compression");
   if (fibres >= 0 && params[fibres] != 0.0)
     list.fail("compression",
@@ -102,7 +102,7 @@ bool has_slack_fibres(const MaterialV1& law, const std::vector<double>& params, 
   return fibres >= 0;
 }
 
-std::shared_ptr<const Response> response_of(const MaterialV1& law, const std::vector<double>& params,
+std::shared_ptr<const Response> response_of(const LawV1& law, const std::vector<double>& params,
                                             const base::List& list) {
   const std::string& compression = list.word("compression");
   const bool slack = compression == "slack fibres";
@@ -129,7 +129,7 @@ double interpolate(const std::vector<std::pair<double, double>>& rows, double po
 
 }  // namespace
 
-std::vector<double> given_values(const MaterialV1& law, const base::List& list) {
+std::vector<double> given_values(const LawV1& law, const base::List& list) {
   const ParamSet* set = named_set(law, list);
   std::vector<double> values;
   for (int i = 0; i < law.n_params; ++i) {
@@ -160,9 +160,9 @@ Material::Material(const base::List& list, const Laws& laws)
   for (double position : positions) require_valid(*law_, params_at(position), list);
 }
 
-Material::Material(const MaterialV1& law, std::vector<double> params, double thickness,
+Material::Material(const LawV1& law, std::vector<double> params, double thickness,
                    std::shared_ptr<const Response> response)
-    : law_(&law, [](const MaterialV1*) {}),
+    : law_(&law, [](const LawV1*) {}),
       name_(law.name),
       thickness_(thickness),
       params_(std::move(params)),

@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Compression below this part of the natural tangent is rounding: fabric at rest is taut.
 constexpr double taut_stress = 1e-12;
 
-/// Points of a batch whose law is evaluated together, and what it answers (layouts of MaterialV1).
+/// Points of a batch whose law is evaluated together, and what it answers (layouts of LawV1).
 struct Points {
   std::vector<double> C, params, W, S, D, thickness_stretch;
   std::vector<std::uint8_t> status;

@@ -37,7 +37,7 @@ void add_parameter(base::Spec& spec, const ParamInfo& info, const Substitutes& s
   }
 }
 
-base::Spec law_spec(const MaterialV1& law, bool is_fitted) {
+base::Spec law_spec(const LawV1& law, bool is_fitted) {
   base::Spec spec(law.name, law.text);
   if (law.n_sets > 0) {
     base::Texts names = {"none"};

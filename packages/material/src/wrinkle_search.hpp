@@ -9,7 +9,7 @@ namespace toile::material {
 
 /// Stress (11, 22, 12), or strain (11, 22, 2 x 12) conjugate to it: half of a change of C, doubled in its last entry.
 using Voigt = std::array<double, 3>;
-/// Symmetric 3 x 3 in the order 11, 22, 33, 12, 13, 23, as D of MaterialV1.
+/// Symmetric 3 x 3 in the order 11, 22, 33, 12, 13, 23, as D of LawV1.
 using Tangent = std::array<double, 6>;
 
 /// Unit vector in the plane.

@@ -33,7 +33,7 @@ class Progress : public Observer {
     point.iterations = report.iterations;
     point.seconds = timer_.elapsed();
     point.final_state = report.undamped;
-    path_.reach(report.parameter, point.seconds);
+    path_.advance(report.parameter, point.seconds);
     if (!report.undamped) point.left = path_.left();
     log_.info(base::progress_line(point));
     heartbeat_.line_printed();

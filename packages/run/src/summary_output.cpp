@@ -44,8 +44,8 @@ std::string compression_text(const material::Response& fabric) {
 std::string wrinkles_text(const solve::Problem& problem, const solve::Fields& fields) {
   std::ostringstream out;
   out.precision(3);
-  for (size_t b = 0; b < problem.laws.size(); ++b) {
-    const material::Response& fabric = problem.laws[b].material->response();
+  for (size_t b = 0; b < problem.models.size(); ++b) {
+    const material::Response& fabric = problem.models[b].material->response();
     if (!fabric.relaxes()) continue;
     const std::array<double, 3>& share = fields.wrinkle_shares[b];
     out << "  panel \"" << problem.mesh->blocks[b].name << "\": " << fabric.compression() << ", residual stiffness "
@@ -83,7 +83,7 @@ std::string text_of(const Record& record, const base::Timer& timer) {
         << base::kpa_to_mmhg(f.largest_pressure)
         << " mmHg) where the garment touches\n  largest gap of a node in contact: " << f.largest_gap << " mm\n";
   }
-  const material::Response& fabric = scene.problem().laws[fields.smallest_stress_block].material->response();
+  const material::Response& fabric = scene.problem().models[fields.smallest_stress_block].material->response();
   out << "  smallest principal stress: " << f.smallest_stress << " kPa"
       << (f.smallest_stress < 0.0 ? " (" + compression_text(fabric) + ")" : "") << "\n";
   out << wrinkles_text(scene.problem(), fields);

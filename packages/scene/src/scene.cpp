@@ -26,7 +26,7 @@ base::List entry_of(const base::List& list, const std::string& name) {
   return *std::find_if(entries.begin(), entries.end(), [&](const base::List& entry) { return entry.name() == name; });
 }
 
-solve::ShellSection section(const garment::ShellOptions& shell, const material::Material& fabric) {
+solve::ShellModel section(const garment::ShellOptions& shell, const material::Material& fabric) {
   const double modulus = shell.shear_modulus ? *shell.shear_modulus
                                              : fabric.response().natural_shear_modulus(fabric.params_at(0.0).data());
   return {shell.layers, shell.shear_correction * modulus, shell.placed_is_stress_free};
@@ -137,7 +137,7 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
                        : !quads         ? "shell3"
                        : shell->reduced ? "shell4r"
                                         : "shell4";
-    problem_.laws.push_back({element::find(name), &fabric, shell ? section(*shell, fabric) : solve::ShellSection()});
+    problem_.models.push_back({element::find(name), &fabric, shell ? section(*shell, fabric) : solve::ShellModel()});
   }
 }
 
@@ -225,10 +225,10 @@ void Scene::list_modules(int ranks) {
   sort(sews_, "sewing by continuation");
   sort(damps_, "damping");
   const bool bends =
-      std::any_of(problem_.laws.begin(), problem_.laws.end(), [](const auto& law) { return law.is_shell(); });
+      std::any_of(problem_.models.begin(), problem_.models.end(), [](const auto& law) { return law.is_shell(); });
   sort(bends, "shells");
   const auto relaxes = [](const auto& law) { return law.material->response().relaxes(); };
-  sort(std::any_of(problem_.laws.begin(), problem_.laws.end(), relaxes), "relaxed fabric");
+  sort(std::any_of(problem_.models.begin(), problem_.models.end(), relaxes), "relaxed fabric");
   const auto turns = [](const solve::Support& support) { return support.turn.has_value(); };
   sort(std::any_of(problem_.supports.begin(), problem_.supports.end(), turns), "turning supports");
   sort(!problem_.loads.empty(), "dead loads");

@@ -168,7 +168,7 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
     const std::vector<Deformation> elements = deformations(mesh, mesh.blocks[b], position);
     PanelStart panel;
     panel.name = mesh.blocks[b].name;
-    panel.placed_is_stress_free = problem.laws[b].is_shell() && problem.laws[b].shell.placed_reference;
+    panel.placed_is_stress_free = problem.models[b].is_shell() && problem.models[b].shell.placed_reference;
     panel.wale = extremes_of(elements, [](const Deformation& d) { return d.wale().norm(); });
     panel.course = extremes_of(elements, [](const Deformation& d) { return d.course().norm(); });
     panel.major = extremes_of(elements, [](const Deformation& d) { return d.principal().first; });

@@ -36,7 +36,7 @@ class PathClock {
   /// A stage starts now; `seconds` on any clock.
   void start(double seconds);
   /// The stage has reached a parameter (0..1).
-  void reach(double parameter, double seconds);
+  void advance(double parameter, double seconds);
   /// To parameter 1; empty while nothing is known.
   std::optional<TimeLeft> left() const;
 

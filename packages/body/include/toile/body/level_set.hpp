@@ -12,7 +12,7 @@ struct LevelSetOptions {
 
 /// Smooth surface f = 0 of a tricubic B-spline f that is fitted once to vertices and vertex normals of `mesh`
 /// (derivation and measurements: README of this package). C2, so gap, normal and Hessian are continuous.
-/// A point further than reach() from the facets gets found = false and the signed distance to the facets.
+/// A point further than range() from the facets gets found = false and the signed distance to the facets.
 /// `name` and `notes` go into the summary. Throws InputError if the mesh is empty or the fit is singular.
 SurfacePtr level_set(TriangleMesh mesh, const LevelSetOptions& options, const std::string& name);
 

@@ -17,7 +17,7 @@ struct SurfacePoint {
   Vec3 normal = Vec3::Zero();   ///< outward unit normal at the closest point, = gradient of the gap
   Mat3 hessian = Mat3::Zero();  ///< second derivative of the gap, 1/mm
   Vec3 closest = Vec3::Zero();  ///< closest point on the smooth surface, mm
-  bool found = false;           ///< false: the point is out of reach (see Surface::reach)
+  bool found = false;           ///< false: the point is out of range (see Surface::range)
 };
 
 /// Triangles, for output and for import.
@@ -30,10 +30,10 @@ struct TriangleMesh {
 class Surface {
  public:
   virtual ~Surface() = default;
-  /// Closest point and derivatives. Points further than reach() may be answered with found = false and a gap that is a
+  /// Closest point and derivatives. Points further than range() may be answered with found = false and a gap that is a
   /// lower bound of the distance.
   virtual SurfacePoint closest(const Vec3& point) const = 0;
-  virtual double reach() const = 0;
+  virtual double range() const = 0;
   /// Triangles that show the surface (results, pictures). `size`: wanted edge length, mm; imported bodies return their
   /// own triangles.
   virtual TriangleMesh triangles(double size) const = 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toile/body/surface.hpp"
-#include "toile/contact/normal_contact.hpp"
+#include "toile/contact/law.hpp"
 
 namespace toile::contact {
 
@@ -70,6 +70,10 @@ struct Recovery {
   int isolated = 0;  ///< clusters in contact whose neighbours are all free: nodal forces without a place on the mesh
   int bridged = 0;   ///< free clusters between neighbours in contact, as near as a chord: taken as in contact
 };
+
+/// Pressure (MPa) of a contact force (N) on the area that belongs to it (mm^2); 0 where none does. Exact for a constant
+/// pressure.
+double pressure(double force, double area);
 
 /// The pressure that the fabric's tension makes on the body, recovered at every site: tension x curvature, with the
 /// tension of a quadratic least-squares fit over the elements around the site, and the curvature of the body's smooth

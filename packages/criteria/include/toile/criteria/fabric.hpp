@@ -12,8 +12,8 @@ namespace toile::criteria {
 /// C11, C22, C12 of one state in the material frame (1 wale, 2 course).
 using Strain = std::array<double, 3>;
 
-/// All outputs of a law at one state; layouts and units of material::MaterialV1.
-struct State {
+/// All outputs of a law at one state; layouts and units of material::LawV1.
+struct Outputs {
   Strain C = {1.0, 1.0, 0.0};
   double W = 0.0;
   std::array<double, 3> S = {};
@@ -33,12 +33,12 @@ struct State {
 /// A law with one set of values: what is checked.
 struct Fabric {
   std::string name;
-  const material::MaterialV1* law;
+  const material::LawV1* law;
   std::vector<double> params;  ///< [n_params]
 
   /// One batch. `counted`: how many points the law says are not admissible.
-  std::vector<State> evaluate(const std::vector<Strain>& strains, int* counted = nullptr) const;
-  State evaluate(const Strain& strain) const { return evaluate(std::vector<Strain>{strain}).front(); }
+  std::vector<Outputs> evaluate(const std::vector<Strain>& strains, int* counted = nullptr) const;
+  Outputs evaluate(const Strain& strain) const { return evaluate(std::vector<Strain>{strain}).front(); }
 };
 
 /// C = F^T F of F = [[wale, shear], [0, course]]. Every C is that of one such F.

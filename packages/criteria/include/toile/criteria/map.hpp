@@ -7,7 +7,7 @@ namespace toile::criteria {
 /// What is known of one state of the box.
 struct MapPoint {
   double wale, course, shear;  ///< F = [[wale, shear], [0, course]]
-  State state;
+  Outputs state;
   bool tensile = false;           ///< both principal stresses
   double ellipticity = 0.0;       ///< smallest eigenvalue of the acoustic tensor over all directions, MPa
   double direction = 0.0;         ///< angle of that direction from the wale, degrees
@@ -19,7 +19,7 @@ struct MapPoint {
 };
 
 /// Evaluates `s` alone. NaN where it is not admissible.
-MapPoint map_point(double wale, double course, double shear, const State& s);
+MapPoint map_point(double wale, double course, double shear, const Outputs& s);
 
 /// Every state of the box; wale runs fastest, then course, then shear.
 std::vector<MapPoint> map(const Fabric& fabric, const Request& request);

@@ -24,9 +24,9 @@ struct Losses {
   std::optional<double> state;  ///< no admissible state is found from here on
 };
 
-/// State of `path` at `stretch`; of a free axis by Newton from `guess` (S of that axis and S12 vanish). Empty if there
-/// is none.
-std::optional<State> state_on(const Fabric& fabric, const Path& path, double stretch, const Strain& guess);
+/// Outputs of `path` at `stretch`; of a free axis by Newton from `guess` (S of that axis and S12 vanish). Empty if
+/// there is none.
+std::optional<Outputs> state_on(const Fabric& fabric, const Path& path, double stretch, const Strain& guess);
 
 Losses losses(const Fabric& fabric, const Path& path, double end);
 

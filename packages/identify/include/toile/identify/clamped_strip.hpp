@@ -37,15 +37,14 @@ class ClampedStrip final : public ForwardModel {
   ~ClampedStrip() override;
 
   int size() const override { return static_cast<int>(stretches_.size()); }
-  int stress(const material::MaterialV1& law, const double* params, double* stress) override;
-  int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
-                          double* gradient) override;
+  int stress(const material::LawV1& law, const double* params, double* stress) override;
+  int stress_and_gradient(const material::LawV1& law, const double* params, double* stress, double* gradient) override;
 
   /// Tangents factorised since the object was made.
   long factorisations() const;
 
  private:
-  int follow(const material::MaterialV1& law, const double* params, double* stress, double* gradient);
+  int follow(const material::LawV1& law, const double* params, double* stress, double* gradient);
 
   std::vector<double> stretches_;
   std::unique_ptr<StripEquations> equations_;

@@ -36,12 +36,12 @@ struct FitResult {
 };
 
 /// How far a fit is. Its phases, one after the other, take times that cannot be told from each other.
-struct FitState {
+struct FitStatus {
   std::string phase;
   double part;         ///< of the phase that is done, 0..1
   double chi_squared;  ///< smallest one of the current start
 };
-using FitProgress = std::function<void(const FitState&)>;
+using FitProgress = std::function<void(const FitStatus&)>;
 
 /// Runs every start. The same problem and seed give the same result, to the last bit. Throws Error (solve_failed) if no
 /// start ends at a candidate that has a state at every fitted point, or if a derivative of one is not a number.

@@ -13,9 +13,9 @@ class ForwardModel {
   virtual int size() const = 0;  ///< points
   /// Nominal stress [size] (MPa) for `params` [n_params] (uniform); NaN where there is no such state or it is not
   /// found. Returns their number.
-  virtual int stress(const material::MaterialV1& law, const double* params, double* stress) = 0;
+  virtual int stress(const material::LawV1& law, const double* params, double* stress) = 0;
   /// The same, and gradient [n_params][size] of it. A parameter that is a choice has zeros.
-  virtual int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
+  virtual int stress_and_gradient(const material::LawV1& law, const double* params, double* stress,
                                   double* gradient) = 0;
 };
 

@@ -36,9 +36,8 @@ class Homogeneous final : public ForwardModel {
 
   int size() const override { return n_; }
   /// Nominal stress P_xx. A point's result does not depend on the points beside it.
-  int stress(const material::MaterialV1& law, const double* params, double* stress) override;
-  int stress_and_gradient(const material::MaterialV1& law, const double* params, double* stress,
-                          double* gradient) override;
+  int stress(const material::LawV1& law, const double* params, double* stress) override;
+  int stress_and_gradient(const material::LawV1& law, const double* params, double* stress, double* gradient) override;
   /// Transverse stretch l and shear k, [n] each, of the last evaluation.
   const std::vector<double>& lateral() const { return lateral_; }
   const std::vector<double>& shear() const { return shear_; }
@@ -47,8 +46,8 @@ class Homogeneous final : public ForwardModel {
 
  private:
   void start();
-  void solve(const material::MaterialV1& law, const double* params);
-  void evaluate(const material::MaterialV1& law, const double* params, int count, double* sensitivity);
+  void solve(const material::LawV1& law, const double* params);
+  void evaluate(const material::LawV1& law, const double* params, int count, double* sensitivity);
   void load_state(int count);
   int newton_steps(int count);
 
@@ -57,7 +56,7 @@ class Homogeneous final : public ForwardModel {
   std::vector<double> stretch_, cosine_squared_, sine_squared_, product_;
   std::vector<double> start_lateral_, free_;
   std::vector<double> lateral_, shear_, stress_;
-  /// Points that are not solved yet, and their batch (layouts of MaterialV1).
+  /// Points that are not solved yet, and their batch (layouts of LawV1).
   std::vector<int> active_;
   std::vector<double> C_, W_, S_, D_, thickness_, sensitivity_;
   std::vector<std::uint8_t> status_;

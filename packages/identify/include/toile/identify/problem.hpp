@@ -32,7 +32,7 @@ class FitProblem {
   /// fewer fitted points than free parameters.
   explicit FitProblem(const base::List& list, const material::Laws& laws = material::Laws());
 
-  const material::MaterialV1& law() const { return *law_; }
+  const material::LawV1& law() const { return *law_; }
   const std::string& material_name() const { return material_name_; }
   double thickness() const { return thickness_; }  ///< mm
   const std::vector<FreeParameter>& free() const { return free_; }

@@ -19,7 +19,7 @@ struct Ellipticity {
   bool is_lost(double tolerance = 1e-9) const { return smallest < -tolerance * largest; }
 };
 
-/// C (C11, C22, C12), S (MPa) and D (MPa) as a Response gives them, in the order of MaterialV1. The direction is found
+/// C (C11, C22, C12), S (MPa) and D (MPa) as a Response gives them, in the order of LawV1. The direction is found
 /// to 1e-8 rad.
 Ellipticity ellipticity(const std::array<double, 3>& C, const std::array<double, 3>& S, const std::array<double, 6>& D);
 

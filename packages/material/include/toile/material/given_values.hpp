@@ -12,6 +12,6 @@ base::Spec fitted_material_spec(const Laws& laws);
 
 /// Values [n_params] of a list that follows one of these descriptions: those that it gives (the first of a table), else
 /// those of its set, else the defaults; NaN where a parameter has none of these.
-std::vector<double> given_values(const MaterialV1& law, const base::List& list);
+std::vector<double> given_values(const LawV1& law, const base::List& list);
 
 }  // namespace toile::material

@@ -2,7 +2,7 @@
 
 #include "toile/material/law.hpp"
 
-// Polyconvex orthotropic model of Itskov (DESIGN, "Itskov polyconvex orthotropic model"):
+// Polyconvex orthotropic model of Itskov (doc/theory.md, "Materials"):
 //   W = 1/4 sum_r mu_r [ (J_r^alpha_r - 1)/alpha_r + (K_r^beta_r - 1)/beta_r ],
 //   J_r = tr(C M_r), K_r = tr(cof(C) M_r), M_r = sum_i w_i^(r) n_i (x) n_i, w_3 = 1 - w_1 - w_2.
 // n_1 is the wale; det C = 1. Normalised weights are divided by their sum where w_1 + w_2 > 1 (then w_3 = 0); elsewhere

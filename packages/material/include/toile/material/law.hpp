@@ -19,12 +19,13 @@
 /// material is not incompressible.
 /// `energy` is written once, without `if` on a T (use where()) and with power(), log(), exp(), sqrt(), reciprocal(),
 /// sin(), cos() of variables (not of expressions); keep intermediate results in variables of type T or P, never in
-/// `auto`. make_law<Law>() is then the MaterialV1: W, S and dS/dp come from Sacado's Fad, D
+/// `auto`. make_law<Law>() is then the LawV1: W, S and dS/dp come from Sacado's Fad, D
 /// from SecondOrder, over `lanes` points at once.
 namespace toile::material {
 
 /// Right Cauchy-Green tensor in the material frame, its thickness entry eliminated by det C = 1:
-/// C33 = 1 / (C11 C22 - C12^2) (DESIGN, "Incompressible plane stress"). A compressible law does not use C33 and cof.
+/// C33 = 1 / (C11 C22 - C12^2) (doc/theory.md, "Incompressible plane stress"). A compressible law does not use C33 and
+/// cof.
 template <class T>
 struct PlaneC {
   T C11, C22, C12;
@@ -216,7 +217,7 @@ inline int store_status(const Block& block, LaneMask extrapolated, std::uint8_t*
   return bad;
 }
 
-/// MaterialV1::evaluate of `Law`.
+/// LawV1::evaluate of `Law`.
 template <class Law>
 [[gnu::flatten]] int evaluate(const void*, int n, const double* C, const double* params, int param_stride, double* W,
                               double* S, double* D, double* thickness_stretch, double* dSdp, std::uint8_t* status) {
@@ -286,7 +287,7 @@ inline int check_ranges(const ParamInfo* params_info, int n_params, const double
   return 0;
 }
 
-/// MaterialV1::check of `Law`: the range of each parameter, then the law's own conditions.
+/// LawV1::check of `Law`: the range of each parameter, then the law's own conditions.
 template <class Law>
 int check(const void*, const double* params, char* message, int length) {
   const int outside = check_ranges(Law::info.data(), static_cast<int>(Law::info.size()), params, message, length);
@@ -297,7 +298,7 @@ int check(const void*, const double* params, char* message, int length) {
 
 /// The C interface of `Law`.
 template <class Law>
-constexpr MaterialV1 make_law() {
+constexpr LawV1 make_law() {
   constexpr bool all_written = detail::all_written(Law::info);
   static_assert(all_written, "`info` is declared with more entries than are written, each with name, unit and text");
   if constexpr (all_written) static_assert(detail::names_differ(Law::info), "two entries of `info` have the same name");

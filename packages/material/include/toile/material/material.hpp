@@ -48,7 +48,7 @@ enum PointStatus : std::uint8_t {
 /// dSdp [3][n_params][n] derivative of S with respect to each parameter, or null.
 /// status [n]: PointStatus. A bad point sets its status and NaN outputs, and never throws.
 /// Returns the number of points that are not admissible.
-struct MaterialV1 {
+struct LawV1 {
   int abi;
   const char* name;
   const char* text;
@@ -69,15 +69,15 @@ struct MaterialV1 {
 inline constexpr int material_abi = 1;
 
 /// All materials that are built in, in alphabetical order.
-const std::vector<const MaterialV1*>& registry();
+const std::vector<const LawV1*>& registry();
 /// The built-in one named `name`, or null.
-const MaterialV1* find(const std::string& name);
+const LawV1* find(const std::string& name);
 
 /// The laws of one run: those that are built in, and those that its plug-ins and formulas add. To a scene they are the
 /// same. A law lives as long as one of these or a Material has it.
 class Laws {
  public:
-  using Law = std::shared_ptr<const MaterialV1>;
+  using Law = std::shared_ptr<const LawV1>;
 
   Laws();
   /// False, and nothing is added, if there is a law of this name.
@@ -107,10 +107,10 @@ class Material {
   explicit Material(const base::List& list, const Laws& laws = Laws());
   /// Uniform; `params` [n_params]; `law` must outlive this; `response`: one derived from `law`, null: the law as it is.
   /// Throws InputError if the parameters violate a condition of the material.
-  Material(const MaterialV1& law, std::vector<double> params, double thickness = 1.0,
+  Material(const LawV1& law, std::vector<double> params, double thickness = 1.0,
            std::shared_ptr<const Response> response = nullptr);
 
-  const MaterialV1& law() const { return *law_; }
+  const LawV1& law() const { return *law_; }
   /// What elements ask. Copies of this material share it.
   const Response& response() const { return *response_; }
   const std::string& name() const { return name_; }

@@ -8,7 +8,7 @@ namespace toile::material {
 
 /// What a plug-in was built with. Its layout never changes, so that a plug-in of any version can be refused by name.
 struct Stamp {
-  int abi;               ///< of MaterialV1
+  int abi;               ///< of LawV1
   int lanes;             ///< points at once: tells the instruction set
   const char* version;   ///< of Toile, with a hash of the material headers
   const char* compiler;  ///< __VERSION__
@@ -17,7 +17,7 @@ struct Stamp {
 /// The one symbol of a plug-in, `toile_material`. `law` may be read only if `stamp` is that of the program.
 struct PlugIn {
   Stamp stamp;
-  MaterialV1 law;
+  LawV1 law;
 };
 
 }  // namespace toile::material

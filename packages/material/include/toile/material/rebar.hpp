@@ -2,7 +2,7 @@
 
 #include "toile/material/law.hpp"
 
-// Rebar model of a knitted fabric (DESIGN, "Rebar model"):
+// Rebar model of a knitted fabric (doc/theory.md, "Materials"):
 //   W = C10 (tr C - 3) + psi_wale(e(C11)) + psi_course(e(C22)),   C11, C22: squared stretch of each fibre.
 // Fibre strain e of the squared stretch q:   log: ln(q)/2   engineering: sqrt(q) - 1   green: (q - 1)/2.
 // Fibre stress s = dpsi/de (Kirchhoff, nominal or second Piola-Kirchhoff, whichever is conjugate to e), with the

@@ -20,7 +20,7 @@ enum class Relaxation {
 class RelaxedResponse final : public Response {
  public:
   /// Keeps a reference to `law`. residual: eps >= 0.
-  RelaxedResponse(const MaterialV1& law, Relaxation relaxation, double residual)
+  RelaxedResponse(const LawV1& law, Relaxation relaxation, double residual)
       : law_(law), relaxation_(relaxation), residual_(residual) {}
 
   int n_params() const override { return law_.n_params(); }

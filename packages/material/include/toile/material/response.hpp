@@ -11,7 +11,7 @@ enum class WrinkleState : std::uint8_t { taut = 0, wrinkled = 1, slack = 2 };
 
 /// What an element asks of a fabric: the energy of its law, or one derived from it (PlainResponse, RelaxedResponse).
 ///
-/// Thread-safe, never throws. All arrays have the layouts of MaterialV1; params are [n_params][n] with param_stride = 1
+/// Thread-safe, never throws. All arrays have the layouts of LawV1; params are [n_params][n] with param_stride = 1
 /// or [n_params] with param_stride = 0.
 class Response {
  public:
@@ -41,9 +41,9 @@ class Response {
 class PlainResponse final : public Response {
  public:
   /// Keeps a reference to `law`.
-  explicit PlainResponse(const MaterialV1& law) : law_(&law) {}
+  explicit PlainResponse(const LawV1& law) : law_(&law) {}
 
-  const MaterialV1& law() const { return *law_; }
+  const LawV1& law() const { return *law_; }
   int n_params() const override { return law_->n_params; }
   int evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S, double* D,
                double* thickness_stretch, std::uint8_t* status) const override {
@@ -52,7 +52,7 @@ class PlainResponse final : public Response {
   double natural_shear_modulus(const double* params) const override;
 
  private:
-  const MaterialV1* law_;
+  const LawV1* law_;
 };
 
 }  // namespace toile::material

@@ -17,15 +17,17 @@ using Unknowns = std::vector<double>;
 
 /// What the equations of a stage remember from one step to the next.
 struct EquilibriumMemory {
-  Unknowns z;                    ///< at which the next step begins
-  double s = 0.0;                ///< there
-  std::vector<double> offset;    ///< [cluster] contact surface inside the mid-surface, mm
-  std::vector<Vec3> normal;      ///< [cluster] of the contact set at the last linearisation; zero: not in it
-  std::vector<Frame> frame;      ///< [node] of directors; empty without shells
-  std::vector<double> rotation;  ///< [node][2] theta that belongs to it
-  std::vector<double> frozen;    ///< [block][element] what elements keep during a step, see element::Element::freeze
-  double damping = 0.0;          ///< coefficient
-  double shift = 0.0;            ///< of the last tangent that was not positive definite
+  Unknowns z;      ///< at which the next step begins
+  double s = 0.0;  ///< there
+  /// [cluster] contact surface inside the mid-surface, mm; empty without a body, as all of contact.
+  std::vector<double> offset;
+  std::vector<double> contact_history;  ///< as State::contact_history
+  std::vector<Vec3> normal;             ///< [cluster] of the contact set at the last linearisation; zero: not in it
+  std::vector<Frame> frame;             ///< [node] of directors; empty without shells
+  std::vector<double> rotation;         ///< [node][2] theta that belongs to it
+  std::vector<double> frozen;  ///< [block][element] what elements keep during a step, see element::Element::freeze
+  double damping = 0.0;        ///< coefficient
+  double shift = 0.0;          ///< of the last tangent that was not positive definite
 };
 
 /// What the next step of a path depends on besides.
@@ -90,14 +92,29 @@ enum class StagePhase {
   finished  ///< its final state is found: the next stage follows
 };
 
+/// Of a run so far, N mm.
+struct Energies {
+  double largest = 0.0, last = 0.0;  ///< of strain, at accepted steps
+  double dissipated = 0.0;           ///< by damping
+};
+
+/// How far a stage has come, and what there is to say of it at its end.
+struct StageProgress {
+  StagePhase phase = StagePhase::path;
+  State start;                                   ///< at which its equations were set up
+  int earlier_steps = 0;                         ///< before it
+  double last_move = 0.0;                        ///< of the last damped step, mm
+  double stabilised = 0.0, stabilised_at = 0.0;  ///< largest share of energy that only stabilises, and its load
+  bool lost_ellipticity = false;
+};
+
 /// Everything that a run needs to go on after an accepted step, with the same bits on the same number of ranks. Plain
 /// values, the same on every rank.
 struct Checkpoint {
   int stage = 0;  ///< index of the one that the step belongs to
   std::string stage_name;
-  StagePhase phase = StagePhase::path;
-  State state;        ///< of the step
-  State stage_start;  ///< at which the equations of the stage were set up
+  StageProgress progress;
+  State state;  ///< of the step
   std::vector<Pin> pins;
   std::set<std::string> released;
   EquilibriumMemory equilibrium;
@@ -106,11 +123,7 @@ struct Checkpoint {
   std::optional<FoundSteps> damped_watch;
   std::optional<TargetMemory> target;
   PivotMemory pivots;
-  double largest_energy = 0.0, last_energy = 0.0, dissipated = 0.0;  ///< N mm
-  double last_move = 0.0;                                            ///< of the last damped step, mm
-  double stabilised = 0.0, stabilised_at = 0.0;  ///< largest share of energy that only stabilises, and its load
-  bool lost_ellipticity = false;
-  int earlier_steps = 0;     ///< before the stage
+  Energies energies;
   int stage_iterations = 0;  ///< since it began
   double seconds = 0.0;      ///< wall time of the run
   SolveStatistics statistics;

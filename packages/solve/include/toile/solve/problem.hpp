@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "toile/body/surface.hpp"
+#include "toile/contact/law.hpp"
 #include "toile/element/element.hpp"
 #include "toile/material/material.hpp"
 #include "toile/mesh/mesh.hpp"
@@ -81,20 +82,21 @@ struct ContactOptions {
   bool pressure_on_inner_face = false;   ///< written per area of the inner face, not of the mid-surface
   /// Augmentation relative to the mean diagonal of the tangent. Steers the iteration, not the result.
   double relative_stiffness = 1.0;
+  contact::LawPtr law = contact::frictionless();
 };
 
 /// What a shell has beyond a membrane.
-struct ShellSection {
+struct ShellModel {
   int layers = 3;                 ///< integration points through the thickness
   double shear_modulus = 0.0;     ///< of transverse shear, correction factor included, MPa
   bool placed_reference = false;  ///< the placed shape is free of stress, not the flat pattern
 };
 
 /// Element formulation and fabric of one block of the mesh.
-struct BlockLaw {
+struct BlockModel {
   const element::Element* element = nullptr;
   const material::Material* material = nullptr;
-  ShellSection shell = {};
+  ShellModel shell = {};
   bool is_shell() const { return element->dofs_per_node() > 3; }
 };
 
@@ -103,8 +105,8 @@ struct Problem {
   const mesh::Mesh* mesh = nullptr;
   /// Nodes that a seam ties, master first; every node is in exactly one cluster.
   std::vector<std::vector<int>> clusters;
-  std::vector<std::string> seam;  ///< [cluster] name of a seam that ties it, or empty; empty altogether: not known
-  std::vector<BlockLaw> laws;     ///< one a block
+  std::vector<std::string> seam;   ///< [cluster] name of a seam that ties it, or empty; empty altogether: not known
+  std::vector<BlockModel> models;  ///< one a block
   std::vector<Support> supports;
   std::vector<NodalLoad> loads;
   std::vector<FollowerPressure> pressures;
@@ -119,6 +121,8 @@ struct State {
   std::vector<Vec3> position;         ///< [cluster] position of the master, mm
   std::vector<double> contact_force;  ///< [cluster] N
   std::vector<double> offset;         ///< [cluster] contact surface inside the mid-surface, mm
+  /// [cluster][contact::Law::history_values]; empty at first, and where the law keeps nothing.
+  std::vector<double> contact_history;
   /// [node] of shells, empty without: the director's frame, and the rotations theta that have led to it (rad). Theta is
   /// additive and never reset; the tangents are transported along with the director, never turned about it.
   std::vector<Frame> frame;
@@ -127,7 +131,8 @@ struct State {
   double load = 0.0;
 };
 
-/// Position of a node: its cluster's master plus what is left of the placed separation (DESIGN: x = T y + b).
+/// Position of a node: its cluster's master plus what is left of the placed separation (doc/theory.md, "Seams": x = T y
+/// + b).
 Vec3 node_position(const Problem& problem, const State& state, int cluster, int node);
 
 /// Start of a run: the placed positions, no contact force. Directors are the normals of the placed panels; where a

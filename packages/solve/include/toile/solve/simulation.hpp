@@ -118,7 +118,7 @@ class Simulation {
 
   const State& state() const;
   const SolveStatistics& statistics() const;
-  /// Why a stage had to end before its time (a wish, a limit of time or iterations); empty: none had to.
+  /// Why a stage had to end before its time (a wish, a limit of steps, time or iterations); empty: none had to.
   const std::string& stopped() const;
   /// What is good to know: null motions that were held.
   const std::vector<std::string>& notes() const;

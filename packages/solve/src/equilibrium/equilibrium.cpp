@@ -1,0 +1,283 @@
+#include "equilibrium/equilibrium.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "equilibrium/unknowns.hpp"
+
+namespace toile::solve {
+
+namespace {
+
+/// Largest rotary over lumped inertia of a shell's node, mm^2.
+double rotary_mass(const Problem& problem) {
+  double largest = 0.0;
+  for (const BlockModel& model : problem.models)
+    if (model.is_shell()) largest = std::max(largest, model.material->thickness() * model.material->thickness() / 12.0);
+  return largest;
+}
+
+}  // namespace
+
+Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held& held, const Drive& drive,
+                         const SolverOptions& options, RCP<const Comm> comm, std::unique_ptr<LinearSolver> linear)
+    : problem_(problem),
+      options_(options),
+      start_(start),
+      layout_(problem, held, std::move(comm)),
+      graph_(make_graph(layout_)),
+      diagonal_(layout_, *graph_),
+      kinematics_(problem, layout_, drive, start),
+      strain_(problem, layout_, *graph_) {
+  terms_.push_back(&strain_);
+  if (!problem.loads.empty()) terms_.push_back(&dead_load_.emplace(problem, layout_, kinematics_));
+  if (!problem.pressures.empty()) terms_.push_back(&pressure_load_.emplace(problem, layout_, *graph_));
+  terms_.push_back(&damper_.emplace(layout_, diagonal_, strain_.reference_areas()));
+  if (layout_.contact) terms_.push_back(&contact_.emplace(problem, layout_, *graph_, diagonal_, kinematics_, start));
+  tangent_.emplace(layout_, graph_, diagonal_, contact_ ? &contact_->projection() : nullptr,
+                   ShiftMass{damper_->cluster_mass(), damper_->mass(), rotary_mass(problem)}, options.linear,
+                   std::move(linear));
+  const Configuration at = kinematics_.at(*start_vector(), 0.0);
+  if (layout_.has_shells()) adopt_thickness(at);
+  find_measures();
+  damper_->start_step(at);
+}
+
+Equilibrium::~Equilibrium() = default;
+
+double Equilibrium::sum(double mine) const {
+  double all = 0.0;
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+void Equilibrium::find_measures() {
+  double* values = tangent_->clear();
+  Forces forces = no_forces();
+  strain_.add(kinematics_.at(*start_vector(), 0.0), forces, values);
+  if (pressure_load_) pressure_load_->add(kinematics_.at(*start_vector(), 0.0), forces, values);
+  measures_ = measure(layout_, diagonal_, damper_->cluster_mass(), problem_.clusters.size(), values);
+  if (contact_) contact_->set_stiffness(problem_.contact.relative_stiffness * std::abs(measures_.stiffness));
+  tangent_->set_measures(measures_, contact_stiffness());
+}
+
+Forces Equilibrium::no_forces() const {
+  Forces forces;
+  forces.force.assign(3 * layout_.clusters.size(), 0.0);
+  forces.magnitude = forces.force;
+  if (!layout_.has_shells()) return forces;
+  forces.moment.assign(2 * layout_.nodes.size(), 0.0);
+  forces.moment_magnitude = forces.moment;
+  return forces;
+}
+
+Forces Equilibrium::forces_of(Term* term, const Configuration& at) const {
+  Forces forces = no_forces();
+  if (term != nullptr) term->add(at, forces, nullptr);
+  return forces;
+}
+
+Evaluation Equilibrium::residual(const Vector& z, double s, Vector& f) {
+  const Configuration at = kinematics_.at(z, s);
+  Forces forces = no_forces();
+  for (Term* term : terms_) term->add(at, forces, nullptr);
+  {
+    auto out = f.getDataNonConst();
+    for (int c = 0; c < layout_.owned_clusters; ++c) {
+      const Vec3 part =
+          layout_.components_of_force(c, Eigen::Map<const Vec3>(&forces.force[3 * static_cast<size_t>(c)]));
+      for (int d = 0; d < 3; ++d)
+        if (layout_.dof[c][d] >= 0) out[layout_.dof[c][d]] = part[d];
+    }
+    for (size_t n = 0; n < layout_.rotation.size(); ++n)
+      for (size_t k = 0; k < 2 && layout_.node_cluster[n] < layout_.owned_clusters; ++k)
+        if (layout_.rotation[n][k] >= 0) out[layout_.rotation[n][k]] = forces.moment[2 * n + k];
+    std::copy(forces.gap.begin(), forces.gap.end(),
+              out.begin() + static_cast<std::ptrdiff_t>(layout_.dof_map->getNodeNumElements()));
+  }
+  return evaluation(forces, f);
+}
+
+Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const {
+  // Squares of the residual and of its scale, gaps that are not a number; what the elements tell.
+  double mine[5] = {0.0, 0.0, 0.0, forces.strain_energy, static_cast<double>(forces.extrapolated)};
+  const auto data = f.getData();
+  for (int c = 0; c < layout_.owned_clusters; ++c) {
+    const Eigen::Map<const Vec3> magnitude(&forces.magnitude[3 * static_cast<size_t>(c)]);
+    for (int d = 0; d < 3; ++d) {
+      if (layout_.dof[c][d] < 0) continue;
+      const double scale = layout_.is_turned(c) ? layout_.direction(c, d).cwiseProduct(magnitude).norm() : magnitude[d];
+      mine[0] += data[layout_.dof[c][d]] * data[layout_.dof[c][d]];
+      mine[1] += scale * scale;
+    }
+  }
+  // A moment counts as the pair of forces that it is over the distance of two nodes.
+  const double lever_squared = measures_.mass;
+  for (size_t n = 0; n < layout_.rotation.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    for (size_t k = 0; k < 2; ++k) {
+      if (layout_.rotation[n][k] < 0) continue;
+      const double moment = data[layout_.rotation[n][k]], scale = forces.moment_magnitude[2 * n + k];
+      mine[0] += moment * moment / lever_squared;
+      mine[1] += scale * scale / lever_squared;
+    }
+  }
+  double gap = 0.0;
+  for (const double violation : forces.gap) {
+    if (std::isnan(violation)) mine[2] += 1.0;  // a maximum over ranks would lose it
+    gap = std::max(gap, std::abs(violation));
+  }
+  double sums[5], largest = 0.0;
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 5, mine, sums);
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, gap, Teuchos::outArg(largest));
+  Evaluation all;
+  all.strain_energy = sums[3];
+  all.extrapolated = static_cast<int>(sums[4]);
+  all.imbalance.force = std::sqrt(sums[0]);
+  // A garment at rest has only the forces of rounded positions: those of 1e-12 mm at every node (with the default
+  // tolerance) are no imbalance.
+  constexpr double resting = 1e-2;  // mm
+  all.imbalance.force_scale = std::max(std::sqrt(sums[1]), resting * measures_.norm);
+  all.imbalance.gap = sums[2] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest;
+  return all;
+}
+
+double Equilibrium::energy(const Vector& z, const Vector& held, double s) {
+  const Configuration at = kinematics_.at(z, s), frozen = kinematics_.at(held, s);
+  double total = 0.0;
+  for (Term* term : terms_) total += term->potential(at, frozen);
+  return sum(total);
+}
+
+void Equilibrium::linearise(const Vector& z, double s) {
+  const Configuration at = kinematics_.at(z, s);
+  double* values = tangent_->clear();
+  Forces forces = no_forces();
+  for (Term* term : terms_) term->add(at, forces, values);
+  tangent_->complete();
+}
+
+void Equilibrium::retract(Vector& z, double s) const {
+  if (contact_) contact_->retract(z, s);
+}
+
+double Equilibrium::slope_along_surface(const Vector& f, const Vector& dz) const {
+  Vector along(*dz.offsetView(layout_.dof_map, 0)->getVector(0), Teuchos::Copy);
+  if (contact_) contact_->projection().project(along);
+  return f.offsetView(layout_.dof_map, 0)->getVector(0)->dot(along);
+}
+
+void Equilibrium::end_step(const Vector& z, double s) {
+  const Configuration at = kinematics_.at(z, s);
+  for (Term* term : terms_) term->end_step(at);
+}
+
+void Equilibrium::start_step(const Vector& converged, double s) {
+  Configuration at = kinematics_.at(converged, s);
+  for (Term* term : terms_) term->start_step(at);
+  tangent_->renew();
+  kinematics_.start_step(at);
+  if (!layout_.has_shells()) return;
+  std::fill(at.rotation.begin(), at.rotation.end(), 0.0);
+  adopt_thickness(at);
+}
+
+// Of shells, with the frames of the step.
+void Equilibrium::adopt_thickness(const Configuration& at) {
+  strain_.set_frames(kinematics_.frames());
+  strain_.find_frozen(at);
+  strain_.adopt_frozen();
+}
+
+void Equilibrium::residual_rate(const Vector& z, double s, Vector& rate) {
+  constexpr double h = 1e-5;
+  const double before = s >= h ? s - h : s;
+  Vector start(z.getMap());
+  residual(z, before, start);
+  residual(z, s + h, rate);
+  rate.update(-1.0 / (s + h - before), start, 1.0 / (s + h - before));
+}
+
+double Equilibrium::path_direction(const Vector& z, double s, const Vector& dz, double ds) {
+  Vector rate(z.getMap()), tangent(z.getMap());
+  residual_rate(z, s, rate);
+  linearise(z, s);
+  if (!solve(rate, tangent)) return ds;
+  return ds - dz.dot(tangent) < 0.0 ? -1.0 : 1.0;
+}
+
+double Equilibrium::stabilisation_energy(const Vector& z, double s) {
+  return sum(strain_.stabilisation_energy(kinematics_.at(z, s)));
+}
+
+double Equilibrium::dissipation(const Vector& z, double s) const {
+  return sum(damper_->dissipation(kinematics_.at(z, s)));
+}
+
+// [owned cluster] Half the present thickness.
+std::vector<double> Equilibrium::wanted_offsets(const Configuration& at) {
+  const std::vector<double> thickness = strain_.nodal_thickness(at);
+  std::vector<double> sum_of(layout_.clusters.size(), 0.0), count(layout_.clusters.size(), 0.0);
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    sum_of[layout_.node_cluster[n]] += thickness[n];
+    count[layout_.node_cluster[n]] += 1.0;
+  }
+  std::vector<double> wanted;
+  for (int c = 0; c < layout_.owned_clusters; ++c) wanted.push_back(0.5 * sum_of[c] / count[c]);
+  return wanted;
+}
+
+double Equilibrium::update_thickness(const Vector& z, double s, double tolerance) {
+  const bool offsets = contact_ && problem_.contact.offset_by_half_thickness;
+  if (!offsets && !layout_.has_shells()) return 0.0;
+  const Configuration at = kinematics_.at(z, s);
+  std::vector<double> wanted;
+  double mine = layout_.has_shells() ? strain_.find_frozen(at) : 0.0, largest = 0.0;
+  if (offsets) {
+    wanted = wanted_offsets(at);
+    for (size_t i = 0; i < wanted.size(); ++i) mine = std::max(mine, std::abs(wanted[i] - contact_->offsets()[i]));
+  }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  if (largest <= tolerance) return 0.0;
+  if (offsets) contact_->set_offsets(wanted);
+  if (layout_.has_shells()) strain_.adopt_frozen();
+  tangent_->renew();
+  return largest;
+}
+
+void Equilibrium::set_offsets(const std::vector<double>& offsets) {
+  if (contact_) contact_->set_offsets(offsets);
+}
+
+// A node presses the body only with a force that would move it further than a gap that is none, or that counts among
+// the forces of the garment: less is what rounded positions leave, and would pull unstressed fabric onto the body.
+double Equilibrium::least_pressing_force(const Forces& forces) const {
+  double mine = 0.0, largest = 0.0;
+  for (size_t i = 0; i < 3 * static_cast<size_t>(layout_.owned_clusters); ++i)
+    mine = std::max(mine, std::abs(forces.magnitude[i]));
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  return std::max(options_.newton.gap_tolerance * std::abs(measures_.stiffness), options_.newton.tolerance * largest);
+}
+
+void Equilibrium::balance_multipliers(Vector& z, double s) {
+  if (!contact_) return;
+  const Configuration at = kinematics_.at(z, s);
+  const Forces forces = forces_of(&strain_, at);
+  contact_->balance(at, forces, least_pressing_force(forces), z);
+}
+
+ForceBalance Equilibrium::balance(const Vector& z, double s) {
+  const Configuration at = kinematics_.at(z, s);
+  TermForces terms{forces_of(&strain_, at), forces_of(dead_load_ ? &*dead_load_ : nullptr, at),
+                   forces_of(&*damper_, at), forces_of(contact_ ? &*contact_ : nullptr, at),
+                   dead_load_ ? dead_load_->moments() : 0.0};
+  if (pressure_load_) pressure_load_->add(at, terms.load, nullptr);
+  // What 1e-4 mm at every node would take is the least that counts: at rest there are only forces of rounded positions.
+  constexpr double resting = 1e-4;
+  return balance_of(problem_, layout_, kinematics_, at, terms, std::sqrt(measures_.mass), resting * measures_.norm);
+}
+
+}  // namespace toile::solve
