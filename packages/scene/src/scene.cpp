@@ -3,10 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
+#include "toile/drape/drape.hpp"
 #include "toile/element/element.hpp"
 #include "toile/mesh/partition.hpp"
 #include "toile/solve/spec.hpp"
@@ -82,6 +84,10 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     const auto seams = optional_list(list, "Seams");
     garment_ = garment::build_garment(list.list("Panels"), seams ? &*seams : nullptr, surface_.get());
   }
+  if (const auto drape = optional_list(list, "Drape")) {
+    const auto phase = timer.phase("drape");
+    drape_garment(*drape);
+  }
   build_laws(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
   for (const solve::StageOptions& stage : stages_) {
@@ -101,6 +107,27 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   list_modules(ranks);
+}
+
+void Scene::drape_garment(const base::List& list) {
+  constexpr double closed = 1.0, most_stretched = 3.0;  // mm
+  if (surface_ == nullptr) list.fail("distance", "is from a body, and the scene has none (list \"Body\")");
+  const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
+  const drape::Outcome outcome = drape::drape(garment_.mesh, clusters.members, *surface_, drape::read_options(list));
+  std::ostringstream text;
+  if (outcome.largest_stretch > most_stretched) {
+    text << "the pattern is too small for the body: its sides would be stretched up to " << outcome.largest_stretch
+         << " times, and knits stand " << most_stretched << ". Check its unit and size against the body's";
+    list.fail("distance", text.str());
+  }
+  if (outcome.largest_opening <= closed) return;
+  const int node = clusters.members[static_cast<size_t>(outcome.widest)].front();
+  const mesh::Vec3& at = garment_.mesh.placed[node];
+  text << "after " << outcome.rounds << " rounds the seam \""
+       << garment::seam_names(clusters, garment_.seams)[static_cast<size_t>(outcome.widest)] << "\" is still open by "
+       << outcome.largest_opening << " mm near (" << at[0] << ", " << at[1] << ", " << at[2]
+       << ") mm: a panel may hang on a limb that is in its way";
+  list.fail("most rounds", text.str());
 }
 
 void Scene::build_laws(const base::List& list, const material::Laws& laws) {

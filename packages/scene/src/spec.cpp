@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "toile/body/body.hpp"
+#include "toile/drape/drape.hpp"
 #include "toile/garment/panel.hpp"
 #include "toile/garment/pattern.hpp"
 #include "toile/garment/seam.hpp"
@@ -92,6 +93,7 @@ Spec scene_spec(const material::Laws& laws) {
       .list(garment::pattern_spec())
       .list(garment::panels_spec(), true)
       .list(garment::seams_spec())
+      .list(drape::drape_spec())
       .list(solve::supports_spec())
       .list(solve::loads_spec())
       .list(solve::contact_spec())

@@ -146,10 +146,17 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
 }
 
 double Equilibrium::energy(const Vector& z, const Vector& held, double s) {
+  Evaluation known;
+  known.strain_energy = sum(strain_.potential(kinematics_.at(z, s), {}));
+  return energy(known, z, held, s);
+}
+
+double Equilibrium::energy(const Evaluation& known, const Vector& z, const Vector& held, double s) {
   const Configuration at = kinematics_.at(z, s), frozen = kinematics_.at(held, s);
-  double total = 0.0;
-  for (Term* term : terms_) total += term->potential(at, frozen);
-  return sum(total);
+  double others = 0.0;
+  for (Term* term : terms_)
+    if (term != &strain_) others += term->potential(at, frozen);
+  return known.strain_energy + sum(others);
 }
 
 void Equilibrium::linearise(const Vector& z, double s) {
@@ -160,8 +167,8 @@ void Equilibrium::linearise(const Vector& z, double s) {
   tangent_->complete();
 }
 
-void Equilibrium::retract(Vector& z, double s) const {
-  if (contact_) contact_->retract(z, s);
+bool Equilibrium::retract(Vector& z, double s) const {
+  return contact_ && sum(contact_->retract(z, s) ? 1.0 : 0.0) > 0.0;
 }
 
 double Equilibrium::slope_along_surface(const Vector& f, const Vector& dz) const {

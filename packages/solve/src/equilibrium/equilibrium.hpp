@@ -51,12 +51,15 @@ class Equilibrium {
   /// Of the last tangent. Its settings change between steps only.
   Tangent& tangent() { return *tangent_; }
   const Tangent& tangent() const { return *tangent_; }
-  /// Puts the clusters that were in contact at the last linearisation back onto the surface, along their normal.
-  void retract(Vector& z, double s) const;
+  /// Puts the clusters that were in contact at the last linearisation back onto the surface, along their normal. False:
+  /// there are none, on any rank. Collective.
+  bool retract(Vector& z, double s) const;
 
   /// Potential of the step (strain, loads, damping, augmented contact), N mm; what a step holds (the multipliers, free
   /// edges under pressure) is that of `held`.
   double energy(const Vector& z, const Vector& held, double s);
+  /// The same where `known` was evaluated, at z: strain is not evaluated again.
+  double energy(const Evaluation& known, const Vector& z, const Vector& held, double s);
   /// Derivative of energy(z, z, s) along the part of dz that stays on the surface where the last linearisation found
   /// contact, given f at z (N mm).
   double slope_along_surface(const Vector& f, const Vector& dz) const;

@@ -115,8 +115,9 @@ void stiffen_damping(Equilibrium& equilibrium) {
 }
 
 std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
-                                   const SolveAt& solve) {
-  constexpr int most_steps = 100;
+                                   const SolveLoosely& solve) {
+  constexpr int most_steps = 200;
+  constexpr double loosely = 0.05;  // of what is left without damping: these states are no result
   const double unit = fallback_damping(equilibrium, stage.first_step);
   const double last = 1e-6 * unit, largest = 1e8 * unit;
   double coefficient = 100.0 * unit, dissipated = 0.0;
@@ -124,7 +125,7 @@ std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions&
     if (coefficient > largest) return std::nullopt;
     equilibrium.set_damping(coefficient);
     equilibrium.start_step(*z, 1.0);
-    const std::optional<int> iterations = solve(1.0);
+    const std::optional<int> iterations = solve(1.0, loosely * undamped_residual(equilibrium, *z, 1.0));
     if (iterations) dissipated += equilibrium.dissipation(*z, 1.0);
     coefficient *= fading(iterations);
   }

@@ -10,6 +10,8 @@ namespace toile::solve {
 /// Brings the stage's state to equilibrium at the parameter s. Returns Newton's iterations; nothing: it could not, and
 /// the state is as it was.
 using SolveAt = std::function<std::optional<int>(double s)>;
+/// The same to a force residual of at most `tolerance`.
+using SolveLoosely = std::function<std::optional<int>(double s, double tolerance)>;
 
 /// Damping where there is no energy to measure (flat, floating panels): its diagonal is 1e-4 of the mean tangent
 /// diagonal (doc/theory.md, "Damping").
@@ -32,7 +34,7 @@ void stiffen_damping(Equilibrium& equilibrium);
 /// iterations a step takes, and grows where one fails. Returns what they dissipated, N mm; nothing: no damping was
 /// enough.
 std::optional<double> fade_damping(Equilibrium& equilibrium, const StageOptions& stage, RCP<Vector>& z,
-                                   const SolveAt& solve);
+                                   const SolveLoosely& solve);
 
 /// Relative force residual at (z, s) without the damping force.
 double undamped_residual(Equilibrium& equilibrium, const Vector& z, double s);

@@ -60,8 +60,8 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
   const double s = old_group.parameter();
   // Trial points are retracted onto the body; so is the point that they are compared with.
   Vector start(z, Teuchos::Copy);
-  equilibrium.retract(start, s);
-  const double old_energy = equilibrium.energy(start, z, s);
+  const double old_energy = equilibrium.retract(start, s) ? equilibrium.energy(start, z, s)
+                                                          : equilibrium.energy(old_group.evaluation(), z, z, s);
   const double scale = std::max(std::abs(old_energy), std::abs(old_group.evaluation().strain_energy));
   const auto slope_at = [&](const EquilibriumGroup& at) {
     return equilibrium.slope_along_surface(EquilibriumGroup::tpetra(at.getF()),
@@ -79,7 +79,8 @@ bool EnergyLineSearch::compute(NOX::Abstract::Group& next, double& step, const N
     next.computeX(previous, direction, step);
     if (next.computeF() != NOX::Abstract::Group::Ok) continue;
     const EquilibriumGroup& new_group = unwrap(next);
-    const double new_energy = equilibrium.energy(EquilibriumGroup::tpetra(new_group.getX()), z, new_group.parameter());
+    const double new_energy = equilibrium.energy(new_group.evaluation(), EquilibriumGroup::tpetra(new_group.getX()), z,
+                                                 new_group.parameter());
     if (!std::isfinite(new_energy) || !std::isfinite(new_group.getNormF())) continue;
     if (new_energy <= old_energy + armijo * step * std::min(slope, 0.0) + round_off * scale) return true;
     // A stiff fabric's energy is known to round-off of its stress, not of itself: near the solution the decrease drowns

@@ -193,8 +193,10 @@ void Simulation::Data::count_pivots(double s, StepReport& report) {
   if (!passed.empty()) notes.add(where() + passed);
 }
 
-bool Simulation::Data::solve(double s) {
-  const Attempt attempt = solve_at(equilibrium, stage, options.newton, *z, s);
+bool Simulation::Data::solve(double s, double least_tolerance) {
+  NewtonOptions newton = options.newton;
+  newton.tolerance = std::max(newton.tolerance, least_tolerance);
+  const Attempt attempt = solve_at(equilibrium, stage, newton, *z, s);
   tries.iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;
   if (attempt.converged)

@@ -99,7 +99,7 @@ struct Simulation::Data : RunSoFar, StageNow {
   Checkpoint checkpoint() const;
   void resume(const Checkpoint& from);
   void rebuild(const Checkpoint& from);
-  bool solve(double s);
+  bool solve(double s, double least_tolerance = 0.0);
   bool finish();
   bool relax();
   bool come_to_rest();
@@ -120,6 +120,13 @@ struct Simulation::Data : RunSoFar, StageNow {
     return [this](double s) -> std::optional<int> {
       const int before = tries.iterations;
       if (!solve(s)) return std::nullopt;
+      return tries.iterations - before;
+    };
+  }
+  SolveLoosely loose_solver() {
+    return [this](double s, double tolerance) -> std::optional<int> {
+      const int before = tries.iterations;
+      if (!solve(s, tolerance)) return std::nullopt;
       return tries.iterations - before;
     };
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace toile::solve {
 
@@ -21,7 +22,25 @@ BodyContact::BodyContact(const Problem& problem, const Layout& layout, const Gra
       history_.push_back(start.contact_history.empty() ? 0.0 : start.contact_history[place]);
     }
   }
+  known_.resize(size());
   find_open_seams();
+}
+
+const body::SurfacePoint& BodyContact::surface_at(size_t c, const Vec3& point) const {
+  Known& known = known_[c];
+  if (known.asked && known.point == point) return known.surface;
+  known = {true, point, problem_.surface->closest(point)};
+  return known.surface;
+}
+
+// The distance to the body changes no faster than the point moves (twice as fast leaves room for a surface that is not
+// quite a distance): a point that was far is asked for again only where it may have come near.
+bool BodyContact::is_far(size_t c, const Vec3& point, double multiplier) const {
+  constexpr double margin = 1.0;  // mm
+  const Known& known = known_[c];
+  if (!known.asked) return false;
+  const double least = known.surface.gap - 2.0 * (point - known.point).norm() - margin;
+  return least > 0.0 && multiplier < stiffness_ * (least - offset_[c]);
 }
 
 // An open seam touches the body at the mean of its nodes. When placed, that mean lies inside the body by the sagitta of
@@ -50,7 +69,7 @@ double BodyContact::length_of_free_part(size_t cluster, const Vec3& direction) c
 
 contact::Touch BodyContact::touch(size_t c, const Vec3& position, double opening, double multiplier) const {
   contact::Touch touch;
-  touch.surface = problem_.surface->closest(position + opening * mean_separation_[c]);
+  touch.surface = surface_at(c, position + opening * mean_separation_[c]);
   touch.offset = offset_[c] + opening * opening * placed_depth_[c];
   touch.multiplier = multiplier;
   touch.stiffness = stiffness_;
@@ -64,6 +83,12 @@ contact::NodeContact BodyContact::contact(size_t c, const Vec3& position, double
   held.complementarity = multiplier / stiffness_;
   const std::array<LocalId, 3>& dof = layout_.dof[c];
   if (std::all_of(dof.begin(), dof.end(), [](LocalId d) { return d < 0; })) return held;
+  if (is_far(c, position + opening * mean_separation_[c], multiplier)) {
+    contact::NodeContact far = held;
+    far.energy = -0.5 * multiplier * multiplier / stiffness_;
+    far.gap = std::numeric_limits<double>::infinity();
+    return far;
+  }
   const contact::NodeContact free = law_.evaluate(touch(c, position, opening, multiplier));
   return length_of_free_part(c, free.normal) < ContactProjection::tangential * free.normal.norm() ? held : free;
 }
@@ -116,18 +141,25 @@ void BodyContact::resume(const std::vector<Vec3>& normals, const std::vector<dou
   projection_.set(own);
 }
 
-void BodyContact::retract(Vector& z, double s) const {
+bool BodyContact::retract(Vector& z, double s) const {
   auto data = z.getDataNonConst();
-  for (size_t c = 0; c < size(); ++c)
-    if (projection_.active(static_cast<int>(c))) retract_cluster(c, s, data.getRawPtr());
+  bool any = false;
+  for (size_t c = 0; c < size(); ++c) {
+    if (!projection_.active(static_cast<int>(c))) continue;
+    retract_cluster(c, s, data.getRawPtr());
+    any = true;
+  }
+  return any;
 }
 
 void BodyContact::retract_cluster(size_t cluster, double s, double* z) const {
-  constexpr int rounds = 3;  // the gap's error falls by its square
+  constexpr int rounds = 3;         // the gap's error falls by its square
+  constexpr double closed = 1e-13;  // mm
   const int c = static_cast<int>(cluster);
   const double opening = 1.0 - kinematics_.drive().seam(s);
   for (int round = 0; round < rounds; ++round) {
     const contact::NodeContact at = contact(cluster, kinematics_.position(c, z, s), opening, 0.0);
+    if (std::abs(at.gap) < closed) return;
     const double free = length_of_free_part(cluster, at.normal);
     if (free < ContactProjection::tangential) return;
     const Vec3 normal = layout_.components_of_force(c, at.normal);

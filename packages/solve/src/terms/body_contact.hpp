@@ -32,8 +32,9 @@ class BodyContact : public Term {
   const std::vector<double>& offsets() const { return offset_; }
   void set_offsets(const std::vector<double>& offsets) { offset_ = offsets; }
 
-  /// Puts the clusters of the last tangent's conditions back onto the surface, along their normal.
-  void retract(Vector& z, double s) const;
+  /// Puts the clusters of the last tangent's conditions back onto the surface, along their normal. False: this rank has
+  /// none of them.
+  bool retract(Vector& z, double s) const;
   /// Multipliers that balance `forces` at touching clusters, which are put onto the surface if they press it with more
   /// than `least` (N).
   void balance(const Configuration& at, const Forces& forces, double least, Vector& z) const;
@@ -48,8 +49,17 @@ class BodyContact : public Term {
   void resume(const std::vector<Vec3>& normals, const std::vector<double>& offsets, const std::vector<double>& history);
 
  private:
+  /// What the body said of a point: an iteration asks for the same one several times.
+  struct Known {
+    bool asked = false;
+    Vec3 point = Vec3::Zero();
+    body::SurfacePoint surface;
+  };
+
   contact::NodeContact contact(size_t cluster, const Vec3& position, double opening, double multiplier) const;
   contact::Touch touch(size_t cluster, const Vec3& position, double opening, double multiplier) const;
+  const body::SurfacePoint& surface_at(size_t cluster, const Vec3& point) const;
+  bool is_far(size_t cluster, const Vec3& point, double multiplier) const;
   double length_of_free_part(size_t cluster, const Vec3& direction) const;
   void retract_cluster(size_t cluster, double s, double* z) const;
   void find_open_seams();
@@ -67,6 +77,7 @@ class BodyContact : public Term {
   std::vector<double> placed_depth_;   ///< [owned cluster] depth of that mean inside the body when placed, mm <= 0
   std::vector<Vec3> step_start_;       ///< [owned cluster] of its position, mm; empty if the law does not follow steps
   std::vector<double> history_;        ///< [owned cluster][value]
+  mutable std::vector<Known> known_;   ///< [owned cluster] of the last place that was asked for
 };
 
 }  // namespace toile::solve

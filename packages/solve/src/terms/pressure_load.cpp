@@ -50,11 +50,11 @@ void PressureLoad::add(const Configuration& at, Forces& forces, double* tangent)
   for (Part& part : parts_) {
     const size_t nodes = static_cast<size_t>(part.nodes), square = 9 * nodes * nodes;
     const double pressure = at.load * part.pressure;
-    std::vector<double> stiffness(tangent == nullptr ? 0 : square * part.layout->elements.size(), 0.0);
+    if (tangent != nullptr) part.stiffness.assign(square * part.layout->elements.size(), 0.0);
     for (size_t e = 0; e < part.layout->elements.size(); ++e) {
       const int* node = &part.layout->nodes[e * nodes];
       const Corners x = corners(at, node, part.nodes);
-      double* own = tangent == nullptr ? nullptr : &stiffness[e * square];
+      double* own = tangent == nullptr ? nullptr : &part.stiffness[e * square];
       const PressureOnElement p = pressure_on_element(part.nodes, x.data(), pressure, own);
       if (own != nullptr) add_edges(part, e, pressure, x.data(), own);
       for (size_t i = 0; i < nodes; ++i) {
@@ -62,7 +62,7 @@ void PressureLoad::add(const Configuration& at, Forces& forces, double* tangent)
         for (size_t d = 0; d < 3; ++d) forces.force[c + d] -= p.force[3 * i + d];
       }
     }
-    if (tangent != nullptr) part.stencils.add(stiffness.data(), tangent);
+    if (tangent != nullptr) part.stencils.add(part.stiffness.data(), tangent);
   }
 }
 

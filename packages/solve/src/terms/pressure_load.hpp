@@ -24,6 +24,7 @@ class PressureLoad : public Term {
     double pressure;                  ///< MPa at load 1
     std::vector<std::uint8_t> edges;  ///< [element] see find_pressure_edges
     Stencils stencils;
+    std::vector<double> stiffness = {};  ///< [element][3 nodes][3 nodes] of the last tangent
   };
 
   void add_edges(const Part& part, size_t element, double pressure, const double* x, double* stiffness) const;

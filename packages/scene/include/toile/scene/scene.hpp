@@ -93,6 +93,7 @@ class Scene {
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
+  void drape_garment(const base::List& list);
   void build_laws(const base::List& list, const material::Laws& laws);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;

@@ -1,0 +1,189 @@
+#include "toile/drape/drape.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "normals.hpp"
+
+namespace toile::drape {
+
+namespace {
+
+using mesh::Vec3;
+
+/// Two nodes whose distance is that of the pattern if it can be.
+struct Side {
+  int a, b;
+  double length;  ///< mm
+  bool diagonal;
+};
+
+/// Sides and diagonals of all elements, each once.
+std::vector<Side> sides_of(const mesh::Mesh& mesh) {
+  std::map<std::pair<int, int>, bool> pairs;  // whether it is a diagonal
+  for (const mesh::Block& block : mesh.blocks) {
+    const std::size_t per = static_cast<std::size_t>(block.nodes_per_element);
+    for (std::size_t e = 0; e < block.connectivity.size(); e += per)
+      for (std::size_t i = 0; i < per; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const std::pair<int, int> pair = std::minmax(block.connectivity[e + i], block.connectivity[e + j]);
+          pairs[pair] = per == 4 && i - j == 2;
+        }
+  }
+  std::vector<Side> sides;
+  for (const auto& [nodes, diagonal] : pairs)
+    sides.push_back(
+        {nodes.first, nodes.second, (mesh.pattern[nodes.first] - mesh.pattern[nodes.second]).norm(), diagonal});
+  return sides;
+}
+
+class Draping {
+ public:
+  Draping(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
+          const Options& options)
+      : mesh_(mesh),
+        body_(body),
+        options_(options),
+        at_(mesh.placed),
+        sides_(sides_of(mesh)),
+        clearance_(at_.size(), 0.0) {
+    for (std::size_t c = 0; c < clusters.size(); ++c)
+      if (clusters[c].size() > 1) sewn_.push_back({static_cast<int>(c), clusters[c]});
+  }
+
+  Outcome run() {
+    Outcome outcome;
+    constexpr double closed = 0.2, at_rest = 0.005;  // mm
+    int& round = outcome.rounds;
+    for (double stretch = 1.0; round < options_.most_rounds; ++round) {
+      // Seams are drawn gently at first, so that panels come round the body before they are tight. What the body makes
+      // too long is then spread over the panels, as springs spread it.
+      const double drawn = std::min(1.0, 0.05 + static_cast<double>(round) / 200.0);
+      outcome.last_move = one_round(drawn, stretch);
+      if (opening(outcome) >= closed) continue;
+      stretch = evenly;
+      if (outcome.last_move < at_rest) break;
+    }
+    tie();
+    outcome.largest_stretch = largest_stretch();
+    mesh_.placed = at_;
+    mesh_.normal = nodal_normals(mesh_);
+    return outcome;
+  }
+
+ private:
+  struct Sewn {
+    int cluster;
+    std::vector<int> nodes;
+  };
+  static constexpr double evenly = 0.3, weak = 0.1;  ///< parts of sides and of diagonals
+
+  /// Returns the largest move.
+  double one_round(double drawn, double stretch) {
+    const std::vector<Vec3> before = at_;
+    for (const Side& side : sides_) pull(side, stretch);
+    for (const Sewn& sewn : sewn_) {  // last: what is sewn stays together, and the sides between give way
+      const Vec3 mean = middle(sewn);
+      for (const int n : sewn.nodes) at_[n] += drawn * (mean - at_[n]);
+    }
+    double largest = 0.0;
+    for (std::size_t n = 0; n < at_.size(); ++n) {
+      Vec3 move = at_[n] - before[n];
+      if (move.norm() > options_.largest_move) at_[n] = before[n] + move * (options_.largest_move / move.norm());
+      push_out(n, (at_[n] - before[n]).norm());
+      largest = std::max(largest, (at_[n] - before[n]).norm());
+    }
+    return largest;
+  }
+
+  /// Takes a part of what a side is too long or too short: `stretch` of what it is too long.
+  void pull(const Side& side, double stretch) {
+    const Vec3 way = at_[side.b] - at_[side.a];
+    const double length = way.norm();
+    if (length <= 0.0) return;
+    const double part = side.diagonal ? weak : length > side.length ? stretch : evenly;
+    const Vec3 half = 0.5 * part * (length - side.length) / length * way;
+    at_[side.a] += half;
+    at_[side.b] -= half;
+  }
+
+  /// The distance to the body falls by no more than a node moves: it is asked for only where it may have been used up.
+  void push_out(std::size_t n, double moved) {
+    clearance_[n] -= moved;
+    if (clearance_[n] > 0.0) return;
+    const body::SurfacePoint foot = body_.closest(at_[n]);
+    const double inside = options_.distance - foot.gap;
+    if (inside > 0.0) at_[n] += inside * foot.normal;
+    clearance_[n] = std::max(0.0, -inside);
+  }
+
+  Vec3 middle(const Sewn& sewn) const {
+    Vec3 sum = Vec3::Zero();
+    for (const int n : sewn.nodes) sum += at_[n];
+    return sum / static_cast<double>(sewn.nodes.size());
+  }
+
+  double opening(Outcome& outcome) const {
+    outcome.largest_opening = 0.0;
+    for (const Sewn& sewn : sewn_) {
+      const Vec3 mean = middle(sewn);
+      for (const int n : sewn.nodes) {
+        const double opening = 2.0 * (at_[n] - mean).norm();
+        if (opening <= outcome.largest_opening) continue;
+        outcome.largest_opening = opening;
+        outcome.widest = sewn.cluster;
+      }
+    }
+    return outcome.largest_opening;
+  }
+
+  void tie() {
+    for (const Sewn& sewn : sewn_) {
+      const Vec3 mean = middle(sewn);
+      for (const int n : sewn.nodes) at_[n] = mean;
+    }
+  }
+
+  double largest_stretch() const {
+    double largest = 1.0;
+    for (const Side& side : sides_)
+      if (!side.diagonal) largest = std::max(largest, (at_[side.a] - at_[side.b]).norm() / side.length);
+    return largest;
+  }
+
+  mesh::Mesh& mesh_;
+  const body::Surface& body_;
+  const Options& options_;
+  std::vector<Vec3> at_;
+  std::vector<Side> sides_;
+  std::vector<Sewn> sewn_;
+  std::vector<double> clearance_;  ///< [node] mm that it may move before it can be in the body
+};
+
+}  // namespace
+
+Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
+              const Options& options) {
+  return Draping(mesh, clusters, body, options).run();
+}
+
+base::Spec drape_spec() {
+  return base::Spec(
+             "Drape",
+             "Lays the placed panels round the body and draws their seams together before anything is solved, by "
+             "cheap geometric rounds: a start on the body with closed seams, which stages of type \"settle\" take "
+             "to equilibrium.")
+      .real("distance", "mm", "Of the fabric from the body that is kept.", 1.0, base::Range::positive())
+      .real("largest move", "mm", "Of a node in a round; less than half of the thinnest limb.", 4.0,
+            base::Range::positive())
+      .integer("most rounds", "After which the seams must be closed.", 2000, base::Range::at_least(1));
+}
+
+Options read_options(const base::List& list) {
+  return {list.integer("most rounds"), list.real("distance"), list.real("largest move")};
+}
+
+}  // namespace toile::drape
