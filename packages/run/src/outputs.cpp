@@ -23,6 +23,7 @@ namespace toile::run {
   OUTPUT(pressure)            \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
+  OUTPUT(slides)              \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
   OUTPUT(checks)

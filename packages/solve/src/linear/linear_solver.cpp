@@ -10,7 +10,8 @@ namespace toile::solve {
 #define TOILE_LINEAR_SOLVERS(SOLVER) \
   SOLVER(cg)                         \
   SOLVER(gmres)                      \
-  SOLVER(direct)
+  SOLVER(direct)                     \
+  SOLVER(klu2)
 
 #define TOILE_DECLARE(name) LinearSolverKind name##_solver();
 TOILE_LINEAR_SOLVERS(TOILE_DECLARE)
