@@ -110,8 +110,14 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
 }
 
 void Scene::drape_garment(const base::List& list) {
-  constexpr double closed = 1.0, most_stretched = 3.0;  // mm
+  constexpr double closed = 1.0;          // mm
+  constexpr double most_stretched = 3.0;  // length over pattern length
   if (surface_ == nullptr) list.fail("distance", "is from a body, and the scene has none (list \"Body\")");
+  for (const std::optional<garment::ShellOptions>& shell : garment_.shells)
+    if (shell && shell->placed_is_stress_free)
+      list.fail("distance",
+                "belongs to a drape, which stretches what is placed; a panel whose list \"Shell\" takes the "
+                "placed shape as stress-free would forget that. Take the flat pattern (\"stress-free\")");
   const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
   const drape::Outcome outcome = drape::drape(garment_.mesh, clusters.members, *surface_, drape::read_options(list));
   std::ostringstream text;
