@@ -53,7 +53,7 @@ struct TwoPanels {
 // A part that has left its place is named with how far and whereto; one that shifted a little is not.
 TEST(Slides, ArePartsThatLeftTheirPlace) {
   const TwoPanels garment;
-  EXPECT_THAT(garment.after(35.0), ElementsAre(AllOf(StartsWith("panels \"right\" went 35 mm as a whole"),
+  EXPECT_THAT(garment.after(35.0), ElementsAre(AllOf(StartsWith("panel \"right\" went 35 mm as a whole"),
                                                      HasSubstr("in the direction (0, 0, -1)"))));
   EXPECT_THAT(garment.after(20.0), IsEmpty());
 }

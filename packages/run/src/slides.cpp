@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 #include "toile/solve/connected_parts.hpp"
@@ -33,18 +32,6 @@ Extent extent(const solve::Problem& problem, const std::vector<int>& part, const
   return all;
 }
 
-std::string panels_of(const solve::Problem& problem, const std::vector<int>& part) {
-  std::set<int> nodes;
-  for (const int cluster : part)
-    nodes.insert(problem.clusters[static_cast<size_t>(cluster)].begin(),
-                 problem.clusters[static_cast<size_t>(cluster)].end());
-  std::string names;
-  for (const mesh::MeshedPanel& panel : problem.mesh->panels)
-    if (nodes.lower_bound(panel.first) != nodes.lower_bound(panel.first + panel.nodes))
-      names += (names.empty() ? "\"" : ", \"") + panel.name + "\"";
-  return names;
-}
-
 bool is_moved(const solve::Support& support) {
   return support.displacement.norm() > 0.0 || support.turn.has_value();
 }
@@ -63,9 +50,9 @@ std::vector<std::string> parts_that_slid(const solve::Problem& problem, const st
     const Vec3 direction = way.normalized();
     std::ostringstream text;
     text.precision(3);
-    text << "panels " << panels_of(problem, part) << " went " << way.norm() << " mm as a whole, in the direction ("
+    text << solve::panels_of(problem, part) << " went " << way.norm() << " mm as a whole, in the direction ("
          << direction[0] << ", " << direction[1] << ", " << direction[2]
-         << "), from where they were placed: without friction a garment slides to where nothing stretches it. If it is "
+         << "), from where it was placed: without friction a garment slides to where nothing stretches it. If it is "
             "to stay, hold an end of it (list \"Supports\")";
     texts.push_back(text.str());
   }

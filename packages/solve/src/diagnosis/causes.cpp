@@ -15,18 +15,6 @@ namespace toile::solve {
 
 namespace {
 
-std::string panels_of(const Problem& problem, const std::vector<int>& clusters) {
-  std::vector<std::string> names;
-  for (const int c : clusters)
-    for (const int node : problem.clusters[c]) {
-      const std::string name = panel_of(problem, node);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-  std::string text = names.size() > 1 ? "the part of panels " : "panel ";
-  for (const std::string& name : names) text += (&name == names.data() ? "\"" : ", \"") + name + "\"";
-  return text;
-}
-
 /// Two nodes that a seam ties although the body is between them.
 std::string seam_through_body(const Failure& failure) {
   const Problem& problem = failure.problem;

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnosis/place.hpp"
+
 namespace toile::solve {
 
 std::vector<std::vector<int>> connected_parts(const Problem& problem) {
@@ -25,6 +27,18 @@ std::vector<std::vector<int>> connected_parts(const Problem& problem) {
   for (auto& [id, clusters] : parts) all.push_back(std::move(clusters));
   std::sort(all.begin(), all.end());
   return all;
+}
+
+std::string panels_of(const Problem& problem, const std::vector<int>& clusters) {
+  std::vector<std::string> names;
+  for (const int c : clusters)
+    for (const int node : problem.clusters[c]) {
+      const std::string name = panel_of(problem, node);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  std::string text = names.size() > 1 ? "the part of panels " : "panel ";
+  for (const std::string& name : names) text += (&name == names.data() ? "\"" : ", \"") + name + "\"";
+  return text;
 }
 
 }  // namespace toile::solve
