@@ -68,7 +68,7 @@ class Draping {
       if (outcome.last_move < at_rest) break;
     }
     tie();
-    outcome.largest_stretch = largest_stretch();
+    find_largest_stretch(outcome);
     mesh_.placed = at_;
     mesh_.normal = nodal_normals(mesh_);
     return outcome;
@@ -147,11 +147,13 @@ class Draping {
     }
   }
 
-  double largest_stretch() const {
-    double largest = 1.0;
-    for (const Side& side : sides_)
-      if (!side.diagonal) largest = std::max(largest, (at_[side.a] - at_[side.b]).norm() / side.length);
-    return largest;
+  void find_largest_stretch(Outcome& outcome) const {
+    for (const Side& side : sides_) {
+      const double stretch = (at_[side.a] - at_[side.b]).norm() / side.length;
+      if (side.diagonal || stretch <= outcome.largest_stretch) continue;
+      outcome.largest_stretch = stretch;
+      outcome.most_stretched = side.a;
+    }
   }
 
   mesh::Mesh& mesh_;

@@ -47,6 +47,7 @@ std::vector<std::string> output_files() {
 }
 
 void add_outputs(Session& session, const OutputOptions& options) {
+  session.scene().check_drape();
   const bool writes = !options.folder.empty();
   if (writes) check_names(session.scene(), session.list());
   on_first_rank([&] {

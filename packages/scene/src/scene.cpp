@@ -120,20 +120,40 @@ void Scene::drape_garment(const base::List& list) {
                 "placed shape as stress-free would forget that. Take the flat pattern (\"stress-free\")");
   const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
   const drape::Outcome outcome = drape::drape(garment_.mesh, clusters.members, *surface_, drape::read_options(list));
+  const auto place = [this](int node) {
+    std::ostringstream text;
+    text.precision(4);
+    const mesh::Vec3& at = garment_.mesh.placed[node];
+    text << " near (" << at[0] << ", " << at[1] << ", " << at[2] << ") mm";
+    return text.str();
+  };
+  constexpr const char* look = ". \"toile check SCENE --output FOLDER\" writes how the panels lie, to be looked at";
   std::ostringstream text;
+  text.precision(4);
+  const char* parameter = "distance";
   if (outcome.largest_stretch > most_stretched) {
-    text << "the pattern is too small for the body: its sides would be stretched up to " << outcome.largest_stretch
-         << " times, and knits stand " << most_stretched << ". Check its unit and size against the body's";
-    list.fail("distance", text.str());
+    text << "the pattern is too small for the body, or a panel hangs on a limb: a side of an element of panel \""
+         << garment_.mesh.panel_of_node(outcome.most_stretched).name << "\" is stretched " << outcome.largest_stretch
+         << " times" << place(outcome.most_stretched) << ", and knits stand " << most_stretched
+         << ". Check the unit and size of the pattern against the body's, and from where the panel comes" << look;
+  } else if (outcome.largest_opening > closed) {
+    parameter = "most rounds";
+    const auto widest = static_cast<size_t>(outcome.widest);
+    text << "after " << outcome.rounds << " rounds the seam \"" << garment::seam_names(clusters, garment_.seams)[widest]
+         << "\" is still open by " << outcome.largest_opening << " mm" << place(clusters.members[widest].front())
+         << ": a panel may hang on a limb that is in its way" << look;
+  } else {
+    return;
   }
-  if (outcome.largest_opening <= closed) return;
-  const int node = clusters.members[static_cast<size_t>(outcome.widest)].front();
-  const mesh::Vec3& at = garment_.mesh.placed[node];
-  text << "after " << outcome.rounds << " rounds the seam \""
-       << garment::seam_names(clusters, garment_.seams)[static_cast<size_t>(outcome.widest)] << "\" is still open by "
-       << outcome.largest_opening << " mm near (" << at[0] << ", " << at[1] << ", " << at[2]
-       << ") mm: a panel may hang on a limb that is in its way";
-  list.fail("most rounds", text.str());
+  try {
+    list.fail(parameter, text.str());
+  } catch (const base::InputError& error) {
+    drape_fault_ = error.what();
+  }
+}
+
+void Scene::check_drape() const {
+  if (!drape_fault_.empty()) throw base::InputError(drape_fault_);
 }
 
 void Scene::build_laws(const base::List& list, const material::Laws& laws) {

@@ -26,6 +26,7 @@ struct Outcome {
   double largest_opening = 0.0;  ///< of a seam before it was tied, mm
   int widest = -1;               ///< the cluster with it; -1: no seam
   double largest_stretch = 1.0;  ///< length over pattern length of an element's side
+  int most_stretched = -1;       ///< a node of that side
   double last_move = 0.0;        ///< of a node in the last round, mm
 };
 

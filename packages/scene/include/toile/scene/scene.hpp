@@ -88,6 +88,9 @@ class Scene {
   const std::vector<Check>& checks() const { return checks_; }
   /// Where the run starts: seams are open if a stage sews them, closed otherwise.
   solve::State start() const;
+  /// Throws base::InputError if the garment could not be draped onto the body. It is there all the same, to be looked
+  /// at.
+  void check_drape() const;
   /// Modules of the program that this scene uses, and those it leaves out.
   const std::vector<std::string>& used() const { return used_; }
   const std::vector<std::string>& left_out() const { return left_out_; }
@@ -111,6 +114,7 @@ class Scene {
   solve::SolverOptions solver_;
   Output output_;
   std::vector<Check> checks_;
+  std::string drape_fault_;  ///< empty: none
   bool sews_ = false, damps_ = false;
   std::vector<std::string> used_, left_out_;
 };
