@@ -15,6 +15,7 @@ using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 class Failures : public ProgramTest {
  protected:
@@ -39,6 +40,19 @@ TEST_F(Failures, ConeWithoutSupportSlides) {
   EXPECT_THAT(cone.err, AllOf(HasSubstr("panel \"sleeve\": it slides along the body, in the direction ("),
                               HasSubstr("no support holds it. Hold an end of it along the limb (list \"Supports\")")));
   EXPECT_THAT(cone.err, Not(AnyOf(HasSubstr("smaller"), HasSubstr("Damping"))));
+}
+
+// The same on a finer mesh, stopped by its limit of iterations while it slides: the message says that it does.
+TEST_F(Failures, ConeThatIsStoppedSlides) {
+  write_scene("../../data/cases/failures/cone",
+              {{"type=\"int\" value=\"16\"", "type=\"int\" value=\"32\""},
+               {"<Parameter name=\"type\" type=\"string\" value=\"sew\"/>",
+                "<Parameter name=\"type\" type=\"string\" value=\"sew\"/>"
+                "<Parameter name=\"most iterations in all\" type=\"int\" value=\"1000\"/>"}});
+  const Outcome cone = toile("run scene.xml --output out");
+  EXPECT_EQ(cone.status, 3);
+  EXPECT_THAT(cone.err, AllOf(HasSubstr("it has taken 1000 iterations"),
+                              HasSubstr("panel \"sleeve\": it slides along the body, in the direction (")));
 }
 
 // Held at its lower end, the sleeve stays on the cone: its pressure in the middle is the tension round it over the
@@ -82,6 +96,19 @@ TEST_F(Failures, SleeveWiderThanTheBodyIsLoose) {
     EXPECT_THAT(summary_line(loose.out, "pressure: "), HasSubstr("0 to 0 kPa")) << scene;
     EXPECT_LT(std::abs(std::strtod(summary_line(loose.out, "strain energy: ").c_str(), nullptr)), 1e-12) << scene;
   }
+}
+
+// Where such a sleeve grazes the body, on this mesh at nine nodes, the forces are round-off: no pressure in summary and
+// tables, and no warning of pressures of single nodes.
+TEST_F(Failures, RoundOffPressesNothing) {
+  write_scene("../../data/cases/failures/loose-placed-on-body",
+              {{"type=\"int\" value=\"24\"", "type=\"int\" value=\"40\""},
+               {"type=\"int\" value=\"5\"", "type=\"int\" value=\"10\""}});
+  const Outcome loose = toile("run scene.xml --output out");
+  ASSERT_EQ(loose.status, 0) << loose.err;
+  EXPECT_THAT(summary_line(loose.out, "pressure: "), StartsWith("0 to 0 kPa"));
+  EXPECT_THAT(read("out/pressure-levels.csv"), HasSubstr("\nmiddle,100,0,0,"));
+  EXPECT_THAT(loose.err, Not(HasSubstr("touch the body while all their neighbours are free")));
 }
 
 // A garment that a forgotten seam leaves open is told of by its start, before minutes are spent on it, and ends by
