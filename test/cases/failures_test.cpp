@@ -124,6 +124,18 @@ TEST_F(Failures, ForgottenSeamEndsBesideTheBody) {
                             : HasSubstr("it is pushed off the body"));
 }
 
+// Stopped on its way off the body, where minutes would not bring it further, it is told that it is pushed off.
+TEST_F(Failures, ForgottenSeamThatIsStoppedIsPushedOff) {
+  const std::string sew = "<Parameter name=\"type\" type=\"string\" value=\"sew\"/>";
+  write_scene("../../data/cases/failures/forgotten-seam",
+              {{sew, sew + "<Parameter name=\"most iterations in all\" type=\"int\" value=\"150\"/>"}});
+  const Outcome open = toile("run scene.xml --output out");
+  EXPECT_EQ(open.status, 3);
+  EXPECT_THAT(open.err, AllOf(HasSubstr("it has taken 150 iterations"),
+                              HasSubstr("Likely cause: the part of panels \"front\", \"back\": it is pushed off the "
+                                        "body, in the direction ")));
+}
+
 const Edits pattern_in_cm = {{"\"width\" type=\"double\" value=\"200\"", "\"width\" type=\"double\" value=\"20\""},
                              {"\"height\" type=\"double\" value=\"100\"", "\"height\" type=\"double\" value=\"10\""}};
 

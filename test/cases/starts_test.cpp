@@ -81,7 +81,8 @@ TEST_F(Starts, RefuseASupportAgainstASeam) {
   all.replace(all.find("\"z\""), 3, "\"xyz\"");
   write_scene("sleeve", {{ends, all}});
   expect_refused(AllOf(HasSubstr("scene > Supports > bottom: parameter \"hold\" = \"xyz\""),
-                       HasSubstr("contradicts the seam \"side\""), HasSubstr("do not hold y there")));
+                       HasSubstr("contradicts the seam \"side\""), HasSubstr("do not hold y there"),
+                       HasSubstr("\"hold\" = \"along the limb\"")));
 }
 
 // Panels and supports with names that results.exo cannot hold, and two whose fields would share a name, are refused.
