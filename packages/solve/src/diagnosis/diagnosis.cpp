@@ -62,12 +62,20 @@ std::string gap_text(const Failure& failure) {
          ".";
 }
 
+std::string softest_text(const Failure& failure) {
+  const SoftestMotion& softest = failure.left.softest;
+  if (!softest.is_free() && !softest.gives_way()) return {};
+  return std::string(softest.is_free() ? " Nothing resists there" : " The garment gives way there by") +
+         " a motion that is largest at " + node_text(failure.problem, failure.left.state, softest.cluster) +
+         ", along " + direction_text(softest.direction) + ".";
+}
+
 }  // namespace
 
 std::string what_failed(const Failure& failure) {
   std::string text = attempt_text(failure) + " " + end_text(failure) + ".";
   if (!failure.left.finite) return text + energy_text(failure);
-  return text + force_text(failure) + gap_text(failure);
+  return text + force_text(failure) + gap_text(failure) + softest_text(failure);
 }
 
 std::string likely_cause(const Failure& failure) {
