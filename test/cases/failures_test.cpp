@@ -38,6 +38,19 @@ TEST_F(Failures, ConeWithoutSupportSlides) {
   EXPECT_THAT(cone.err, Not(AnyOf(HasSubstr("smaller"), HasSubstr("Damping"))));
 }
 
+// The same on a finer mesh, stopped by its limit of iterations while it slides: the message says that it does.
+TEST_F(Failures, ConeThatIsStoppedSlides) {
+  write_scene("../../data/cases/failures/cone",
+              {{"type=\"int\" value=\"16\"", "type=\"int\" value=\"32\""},
+               {"<Parameter name=\"type\" type=\"string\" value=\"sew\"/>",
+                "<Parameter name=\"type\" type=\"string\" value=\"sew\"/>"
+                "<Parameter name=\"most iterations in all\" type=\"int\" value=\"1000\"/>"}});
+  const Outcome cone = toile("run scene.xml --output out");
+  EXPECT_EQ(cone.status, 3);
+  EXPECT_THAT(cone.err, AllOf(HasSubstr("it has taken 1000 iterations"),
+                              HasSubstr("panel \"sleeve\": it slides along the body, in the direction (")));
+}
+
 // A sleeve wider than its body, placed free of stress, compressed on the body, or of a fabric that carries no
 // compression, has neither pressure nor energy, and a warning says that it does not press; or it is refused as loose.
 TEST_F(Failures, SleeveWiderThanTheBodyIsLoose) {
