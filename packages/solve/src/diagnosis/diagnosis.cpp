@@ -64,9 +64,13 @@ std::string gap_text(const Failure& failure) {
 
 std::string softest_text(const Failure& failure) {
   const SoftestMotion& softest = failure.left.softest;
-  if (!softest.is_free() && !softest.gives_way()) return {};
-  return std::string(softest.is_free() ? " Nothing resists there" : " The garment gives way there by") +
-         " a motion that is largest at " + node_text(failure.problem, failure.left.state, softest.cluster) +
+  if (!softest.is_soft()) return {};
+  std::string text = " Nothing resists there";
+  if (softest.gives_way())
+    text = " The garment gives way there by";
+  else if (!softest.is_free())
+    text = " Little resists there (" + number_text(softest.stiffness) + " of the mean stiffness)";
+  return text + " a motion that is largest at " + node_text(failure.problem, failure.left.state, softest.cluster) +
          ", along " + direction_text(softest.direction) + ".";
 }
 

@@ -50,7 +50,6 @@ Remainder remainder_of(Equilibrium& equilibrium, const Attempt& attempt, double 
   left.finite = std::isfinite(left.total.force) && std::isfinite(left.total.gap);
   if (const Watch* watch = equilibrium.watch()) left.residual = watch->residuals();
   left.state = equilibrium.state(*attempt.z, attempt.s);
-  if (left.finite) left.softest = softest_motion(equilibrium, attempt, clusters);
   return left;
 }
 

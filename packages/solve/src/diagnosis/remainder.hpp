@@ -17,7 +17,7 @@ struct Remainder {
   bool factorised = true;        ///< the last tangent could be factorised
   bool finite = true;            ///< residual and gap are numbers
   std::vector<double> residual;  ///< [iteration] relative force residual on the way
-  SoftestMotion softest;         ///< there
+  SoftestMotion softest;         ///< there, if it was looked for
   State state;                   ///< where the attempt gave up
 };
 

@@ -15,6 +15,8 @@ struct SoftestMotion {
   /// Nothing but round-off resists it.
   bool is_free() const { return found && std::abs(stiffness) <= round_off; }
   bool gives_way() const { return found && stiffness < -round_off; }
+  /// So little that it matters: a membrane under tension has 1e-6 and less only with a thousand elements a side.
+  bool is_soft() const { return found && stiffness < 1e-6; }
   static constexpr double round_off = 1e-12;
 };
 

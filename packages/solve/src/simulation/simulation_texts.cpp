@@ -25,7 +25,7 @@ void Simulation::Data::watch_ellipticity(const StepReport& report) {
 // way to. Collective.
 std::string Simulation::Data::diagnosis() {
   if (!tries.failed) return {};
-  const Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
+  Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
   const Failure failure{problem,  stage,          options.newton,
                         held,     progress.start, state,
                         left,     reached,        statistics.steps > progress.earlier_steps,
@@ -34,6 +34,7 @@ std::string Simulation::Data::diagnosis() {
     const std::string motion = unheld_motion(failure);
     return motion.empty() ? motion : " Likely cause: " + motion + ".";
   }
+  if (left.finite) left.softest = softest_motion(*equilibrium, *tries.failed, problem.clusters.size());
   const std::string cause = likely_cause(failure);
   return " " + what_failed(failure) + (cause.empty() ? "" : " Likely cause: " + cause + ".");
 }
