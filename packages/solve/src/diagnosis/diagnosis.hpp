@@ -34,6 +34,9 @@ std::string likely_cause(const Failure& failure);
 /// Empty: nowhere.
 std::string unheld_motion(const Failure& failure);
 
+/// Where the garment has moved farthest in the stage, and how, for one that was stopped on its way. Empty: it stands.
+std::string farthest_motion(const Failure& failure);
+
 /// A cause: empty where it does not apply. In causes.cpp, which has the table of them.
 using Cause = std::string (*)(const Failure&);
 const std::vector<Cause>& causes();

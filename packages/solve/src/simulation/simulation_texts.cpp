@@ -32,7 +32,9 @@ std::string Simulation::Data::diagnosis() {
                         relaxing, tries.cut_backs};
   if (!watch.stopped().empty()) {
     const std::string motion = unheld_motion(failure);
-    return motion.empty() ? motion : " Likely cause: " + motion + ".";
+    if (!motion.empty()) return " Likely cause: " + motion + ".";
+    const std::string on_its_way = relaxing || !failure.stepped ? farthest_motion(failure) : "";
+    return on_its_way.empty() ? on_its_way : " Where it was stopped, " + on_its_way + ".";
   }
   if (left.finite) left.softest = softest_motion(*equilibrium, *tries.failed, problem.clusters.size());
   const std::string cause = likely_cause(failure);
