@@ -42,9 +42,10 @@ std::vector<Side> sides_of(const mesh::Mesh& mesh) {
 
 class Draping {
  public:
-  Draping(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
-          const Options& options)
+  Draping(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const std::vector<Held>& held,
+          const body::Surface& body, const Options& options)
       : mesh_(mesh),
+        held_(held),
         body_(body),
         options_(options),
         at_(mesh.placed),
@@ -94,6 +95,10 @@ class Draping {
       Vec3 move = at_[n] - before[n];
       if (move.norm() > options_.largest_move) at_[n] = before[n] + move * (options_.largest_move / move.norm());
       push_out(n, (at_[n] - before[n]).norm());
+    }
+    for (const Held& held : held_)
+      at_[held.node] += held.direction.dot(mesh_.placed[held.node] - at_[held.node]) * held.direction;
+    for (std::size_t n = 0; n < at_.size(); ++n) {
       largest = std::max(largest, (at_[n] - before[n]).norm());
     }
     return largest;
@@ -157,6 +162,7 @@ class Draping {
   }
 
   mesh::Mesh& mesh_;
+  const std::vector<Held>& held_;
   const body::Surface& body_;
   const Options& options_;
   std::vector<Vec3> at_;
@@ -167,9 +173,9 @@ class Draping {
 
 }  // namespace
 
-Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
-              const Options& options) {
-  return Draping(mesh, clusters, body, options).run();
+Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const std::vector<Held>& held,
+              const body::Surface& body, const Options& options) {
+  return Draping(mesh, clusters, held, body, options).run();
 }
 
 base::Spec drape_spec() {

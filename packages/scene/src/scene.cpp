@@ -86,7 +86,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   }
   if (const auto drape = optional_list(list, "Drape")) {
     const auto phase = timer.phase("drape");
-    drape_garment(*drape);
+    drape_garment(list, *drape);
   }
   build_laws(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
@@ -109,7 +109,26 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   list_modules(ranks);
 }
 
-void Scene::drape_garment(const base::List& list) {
+// What supports hold in a direction of space stays where it is placed; along the limb has a meaning on the body only.
+std::vector<drape::Held> Scene::held_while_draped(const base::List& scene) const {
+  std::vector<drape::Held> all;
+  const auto list = optional_list(scene, "Supports");
+  if (!list) return all;
+  solve::Problem placed;
+  placed.mesh = &garment_.mesh;
+  placed.surface = surface_.get();
+  const std::vector<base::List> entries = list->entries();
+  const std::vector<solve::Support> supports = solve::read_supports(*list, placed);
+  for (size_t s = 0; s < supports.size(); ++s) {
+    if (entries[s].word("hold") == "along the limb") continue;
+    for (size_t k = 0; k < supports[s].nodes.size(); ++k)
+      for (Eigen::Index i = 0; i < 3; ++i)
+        if (supports[s].held[static_cast<size_t>(i)]) all.push_back({supports[s].nodes[k], supports[s].axis(k, i)});
+  }
+  return all;
+}
+
+void Scene::drape_garment(const base::List& scene, const base::List& list) {
   constexpr double closed = 1.0;          // mm
   constexpr double most_stretched = 3.0;  // length over pattern length
   if (surface_ == nullptr) list.fail("distance", "is from a body, and the scene has none (list \"Body\")");
@@ -119,7 +138,8 @@ void Scene::drape_garment(const base::List& list) {
                 "belongs to a drape, which stretches what is placed; a panel whose list \"Shell\" takes the "
                 "placed shape as stress-free would forget that. Take the flat pattern (\"stress-free\")");
   const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
-  const drape::Outcome outcome = drape::drape(garment_.mesh, clusters.members, *surface_, drape::read_options(list));
+  const drape::Outcome outcome =
+      drape::drape(garment_.mesh, clusters.members, held_while_draped(scene), *surface_, drape::read_options(list));
   const auto place = [this](int node) {
     std::ostringstream text;
     text.precision(4);

@@ -16,6 +16,12 @@ struct Options {
   double largest_move = 4;  ///< of a node in a round, mm: less than half of the thinnest limb
 };
 
+/// A direction in which a node stays where it is placed.
+struct Held {
+  int node = 0;
+  mesh::Vec3 direction;  ///< of unit length
+};
+
 /// Description of the list "Drape", and how it is read.
 base::Spec drape_spec();
 Options read_options(const base::List& list);
@@ -33,9 +39,9 @@ struct Outcome {
 /// Draws the sewn nodes together and lays the panels round the body: rounds of position-based constraints (Mueller et
 /// al. 2007) on the mesh as it is, in which sides of elements do not stretch, sewn nodes come together and no node gets
 /// into the body. Little resists compression, nothing has inertia: the result is a start for a solve, not an
-/// equilibrium. `clusters`: nodes that seams tie. Changes `mesh.placed` (nodes of a cluster end at one place) and
-/// `mesh.normal`.
-Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
-              const Options& options);
+/// equilibrium. `clusters`: nodes that seams tie. `held`: by supports. Changes `mesh.placed` (nodes of a cluster end at
+/// one place) and `mesh.normal`.
+Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const std::vector<Held>& held,
+              const body::Surface& body, const Options& options);
 
 }  // namespace toile::drape

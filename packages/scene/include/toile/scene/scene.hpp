@@ -11,6 +11,7 @@
 #include "toile/base/timer.hpp"
 #include "toile/body/body.hpp"
 #include "toile/body/surface.hpp"
+#include "toile/drape/drape.hpp"
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
@@ -96,7 +97,8 @@ class Scene {
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
-  void drape_garment(const base::List& list);
+  std::vector<drape::Held> held_while_draped(const base::List& scene) const;
+  void drape_garment(const base::List& scene, const base::List& list);
   void build_laws(const base::List& list, const material::Laws& laws);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;
