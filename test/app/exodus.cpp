@@ -52,4 +52,28 @@ std::vector<double> ExodusStep::nodal(const std::string& name) const {
   return {};
 }
 
+std::vector<double> ExodusStep::element(const std::string& name) const {
+  const OpenFile exodus(file_);
+  int count = 0;
+  ex_get_variable_param(exodus.id, EX_ELEM_BLOCK, &count);
+  std::vector<int> blocks(static_cast<size_t>(ex_inquire_int(exodus.id, EX_INQ_ELEM_BLK)));
+  ex_get_ids(exodus.id, EX_ELEM_BLOCK, blocks.data());
+  std::vector<double> all;
+  for (int v = 1; v <= count; ++v) {
+    std::string found(65, '\0');
+    ex_get_variable_name(exodus.id, EX_ELEM_BLOCK, v, found.data());
+    if (name != found.c_str()) continue;
+    for (const int id : blocks) {
+      ex_block block{};
+      block.id = id;
+      block.type = EX_ELEM_BLOCK;
+      ex_get_block_param(exodus.id, &block);
+      std::vector<double> values(static_cast<size_t>(block.num_entry));
+      if (ex_get_var(exodus.id, steps, EX_ELEM_BLOCK, v, id, block.num_entry, values.data()) == EX_NOERR)
+        all.insert(all.end(), values.begin(), values.end());
+    }
+  }
+  return all;
+}
+
 }  // namespace toile::test

@@ -15,6 +15,8 @@ struct ExodusStep {
   explicit ExodusStep(const std::string& file);
   /// A nodal field by its name, [node].
   std::vector<double> nodal(const std::string& name) const;
+  /// A field of elements, of all blocks that have it one after another.
+  std::vector<double> element(const std::string& name) const;
 
  private:
   std::string file_;
