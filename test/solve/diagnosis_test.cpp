@@ -55,6 +55,20 @@ TEST(Diagnosis, NamesTheNodeWithTheLargestForce) {
             "\"panel0\", at (22, 30, 0) mm, in the pattern at (20, 30) mm, by 5 N.");
 }
 
+// A stage that was stopped is told where the garment has moved farthest, and how; not of less than a millimetre.
+TEST(Diagnosis, NamesWhereAStoppedStageMoves) {
+  Situation s;
+  const size_t farthest = static_cast<size_t>(Panels::node(0, 2, 3));
+  s.left.state.position[farthest] += solve::Vec3(0.0, 0.0, -0.5);
+  EXPECT_THAT(solve::farthest_motion(s.failure()), IsEmpty());
+  s.left.state.position[farthest] += solve::Vec3(0.0, 0.0, -4.5);
+  EXPECT_EQ(
+      solve::farthest_motion(s.failure()),
+      "it was still moving, farthest at node 15 of panel \"panel0\", at (22, 30, -5) mm, in the pattern at "
+      "(20, 30) mm, by 5 mm in the direction (0, 0, -1) since the start of the stage: look whether anything holds "
+      "it there");
+}
+
 // A contact that does not close is told with its gap and the worst node, and balanced forces are not mentioned.
 TEST(Diagnosis, NamesTheNodeWithTheLargestGap) {
   Situation s;

@@ -70,6 +70,18 @@ std::string what_failed(const Failure& failure) {
   return text + force_text(failure) + gap_text(failure);
 }
 
+std::string farthest_motion(const Failure& failure) {
+  constexpr double noticeable = 1.0;  // mm
+  if (!failure.left.finite) return {};
+  const auto way = [&](size_t c) -> Vec3 { return failure.left.state.position[c] - failure.start.position[c]; };
+  const size_t farthest = largest(failure.left.force.size(), [&](size_t c) { return way(c).norm(); });
+  const double length = way(farthest).norm();
+  if (length < noticeable) return {};
+  return "it was still moving, farthest at " + node_text(failure.problem, failure.left.state, farthest) + ", by " +
+         number_text(length) + " mm in the direction " + direction_text(way(farthest) / length) +
+         " since the start of the stage: look whether anything holds it there";
+}
+
 std::string likely_cause(const Failure& failure) {
   for (const Cause cause : causes()) {
     std::string text = cause(failure);
