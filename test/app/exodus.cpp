@@ -86,7 +86,7 @@ std::vector<double> ExodusStep::element(const std::string& name) const {
     block.type = EX_ELEM_BLOCK;
     ex_get_block_param(exodus.id, &block);
     std::vector<double> values(static_cast<size_t>(block.num_entry));
-    if (ex_get_var(exodus.id, steps, EX_ELEM_BLOCK, v, id, block.num_entry, values.data()) == EX_NOERR)
+    if (ex_get_var(exodus.id, steps, EX_ELEM_BLOCK, v, id, block.num_entry, values.data()) >= 0)
       all.insert(all.end(), values.begin(), values.end());
   }
   return all;

@@ -81,7 +81,7 @@ Garment crossing_strips(double degrees, int along, bool triangles = false) {
 
 /// A strip that stands in a sheet crosses it along its width, whatever the angle, the elements and their number.
 TEST(Crossings, TwoStripsCrossAlongTheWidth) {
-  for (const double degrees : {90.0, 45.0, 15.0})
+  for (const double degrees : {90.0, 45.0, 7.0})
     for (const bool triangles : {false, true})
       for (const int along : {5, 7}) {
         const Crossings found = crossing_strips(degrees, along, triangles).look();
