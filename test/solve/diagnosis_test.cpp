@@ -113,6 +113,24 @@ TEST(Diagnosis, TellsHowTheAttemptEnded) {
   EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr("The last attempt at its undamped end"));
 }
 
+// The softest motion is told where it is free, next to free or unstable, with node and direction, and not where the
+// garment resists it.
+TEST(Diagnosis, NamesTheSoftestMotion) {
+  Situation s;
+  s.left.softest = {true, 1e-16, 5, solve::Vec3::UnitZ()};
+  const std::string motion =
+      " a motion that is largest at node 6 of panel \"panel0\", at (11, 10, 0) mm, in the pattern "
+      "at (10, 10) mm, along (0, 0, 1).";
+  EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr(" Nothing resists there" + motion));
+  s.left.softest.stiffness = 2.5e-7;
+  EXPECT_THAT(solve::what_failed(s.failure()),
+              HasSubstr(" Little resists there (2.5e-07 of the mean stiffness)" + motion));
+  s.left.softest.stiffness = -2.5e-7;
+  EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr(" The garment gives way there by" + motion));
+  s.left.softest.stiffness = 1e-3;
+  EXPECT_THAT(solve::what_failed(s.failure()), Not(HasSubstr("motion")));
+}
+
 // Fabric without an energy is told with the number of its points, the worst panel, element, place and stretches.
 TEST(Diagnosis, NamesTheFabricWithoutEnergy) {
   Situation s(0.0);

@@ -23,7 +23,8 @@ struct Failure {
 };
 
 /// What did not converge, and where: how the last attempt ended, residual and gap against their tolerances, the worst
-/// node or material point with its panel, place and seam.
+/// node or material point with its panel, place and seam; where the tangent is singular, or not stable, the node that
+/// moves most in the softest motion.
 std::string what_failed(const Failure& failure);
 
 /// The likely cause and a way out: of causes() the first that applies, else what can be tried.

@@ -25,7 +25,7 @@ void Simulation::Data::watch_ellipticity(const StepReport& report) {
 // way to. Collective.
 std::string Simulation::Data::diagnosis() {
   if (!tries.failed) return {};
-  const Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
+  Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
   const Failure failure{problem,  stage,          options.newton,
                         held,     progress.start, state,
                         left,     reached,        statistics.steps > progress.earlier_steps,
@@ -36,6 +36,7 @@ std::string Simulation::Data::diagnosis() {
     const std::string on_its_way = relaxing || !failure.stepped ? farthest_motion(failure) : "";
     return on_its_way.empty() ? on_its_way : " Where it was stopped, " + on_its_way + ".";
   }
+  if (left.finite) left.softest = softest_motion(*equilibrium, *tries.failed, problem.clusters.size());
   const std::string cause = likely_cause(failure);
   return " " + what_failed(failure) + (cause.empty() ? "" : " Likely cause: " + cause + ".");
 }
