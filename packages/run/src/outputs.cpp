@@ -23,6 +23,8 @@ namespace toile::run {
   OUTPUT(pressure)            \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
+  OUTPUT(crossing_warnings)   \
+  OUTPUT(crossings)           \
   OUTPUT(slides)              \
   OUTPUT(summary)             \
   OUTPUT(findings)            \

@@ -8,6 +8,7 @@
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
+#include "toile/crossing/crossings.hpp"
 #include "toile/drape/drape.hpp"
 #include "toile/element/element.hpp"
 #include "toile/mesh/partition.hpp"
@@ -105,6 +106,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     build_problem(list, ranks);
   }
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  problem_.crossings = output_.crossings && crossing::available();
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   list_modules(ranks);
 }

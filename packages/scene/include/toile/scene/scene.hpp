@@ -57,6 +57,7 @@ struct Output {
   std::optional<mesh::BentAxis> bent_axis;  ///< instead of both
   int stations = 0;                         ///< of the pressure curve along the axis; 0: none
   double body_size = 5.0;                   ///< wanted edge length of the body's triangles, mm
+  bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
