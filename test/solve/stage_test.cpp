@@ -316,7 +316,7 @@ TEST(Stage, FailedSettleAcceptsNothing) {
   for (const bool damped : {false, true}) {
     Recorded run(sleeve.problem, one);
     solve::State start = closed_start(sleeve.problem);  // rows crowded towards one end
-    for (solve::Vec3& p : start.position) p[2] += 30.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
+    for (solve::Vec3& p : start.position) p[2] += 12.0 * std::sin(std::acos(-1.0) * p[2] / 110.0);
     run.simulation.set_start(start);
     solve::StageOptions settle = stage("settle");
     settle.damping.active = damped;

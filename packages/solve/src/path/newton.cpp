@@ -26,14 +26,15 @@ const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector) {
 }
 
 bool BalanceTest::took_too_many(double residual) {
-  constexpr int times = 5, patience = 20;
+  constexpr int times = 5;
+  const int patience = options_.max_iterations / 3;
   if (residual < 0.5 * halved_) {
     halved_ = residual;
     halved_at_ = iterations_;
   }
   if (iterations_ < options_.max_iterations) return false;
   return !options_.while_converging || iterations_ >= times * options_.max_iterations ||
-         iterations_ - halved_at_ > patience;
+         iterations_ - halved_at_ >= patience;
 }
 
 NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {
