@@ -50,7 +50,8 @@ class Draping {
         options_(options),
         at_(mesh.placed),
         sides_(sides_of(mesh)),
-        clearance_(at_.size(), 0.0) {
+        clearance_(at_.size(), 0.0),
+        near_(at_.size()) {
     for (std::size_t c = 0; c < clusters.size(); ++c)
       if (clusters[c].size() > 1) sewn_.push_back({static_cast<int>(c), clusters[c]});
   }
@@ -79,6 +80,13 @@ class Draping {
   struct Sewn {
     int cluster;
     std::vector<int> nodes;
+  };
+  /// The body beside a node, as it was when it was asked last.
+  struct Near {
+    bool known = false;
+    Vec3 asked = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double gap = 0.0;  ///< mm
   };
   static constexpr double evenly = 0.3, weak = 0.1;  ///< parts of sides and of diagonals
 
@@ -115,13 +123,19 @@ class Draping {
     at_[side.b] -= half;
   }
 
-  /// The distance to the body falls by no more than a node moves: it is asked for only where it may have been used up.
+  /// The distance to the body falls by no more than a node moves: it is asked for only where it may have been used up,
+  /// and not again before the node has left the place where the body is as good as a plane.
   void push_out(std::size_t n, double moved) {
     clearance_[n] -= moved;
     if (clearance_[n] > 0.0) return;
-    const body::SurfacePoint foot = body_.closest(at_[n]);
-    const double inside = options_.distance - foot.gap;
-    if (inside > 0.0) at_[n] += inside * foot.normal;
+    constexpr double plane = 1.0;  // mm: at a radius of 20 mm it is off by 0.025 mm
+    Near& near = near_[n];
+    if (!near.known || (at_[n] - near.asked).norm() > plane) {
+      const body::SurfacePoint foot = body_.closest(at_[n]);
+      near = {true, at_[n], foot.normal, foot.gap};
+    }
+    const double inside = options_.distance - near.gap - near.normal.dot(at_[n] - near.asked);
+    if (inside > 0.0) at_[n] += inside * near.normal;
     clearance_[n] = std::max(0.0, -inside);
   }
 
@@ -169,6 +183,7 @@ class Draping {
   std::vector<Side> sides_;
   std::vector<Sewn> sewn_;
   std::vector<double> clearance_;  ///< [node] mm that it may move before it can be in the body
+  std::vector<Near> near_;
 };
 
 }  // namespace
