@@ -27,14 +27,15 @@ const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector) {
 
 bool BalanceTest::took_too_many(double residual) {
   constexpr int times = 5;
-  const int patience = options_.max_iterations / 3;
+  constexpr double near = 1e-3;
   if (residual < 0.5 * halved_) {
     halved_ = residual;
     halved_at_ = iterations_;
   }
-  if (iterations_ < options_.max_iterations) return false;
-  return !options_.while_converging || iterations_ >= times * options_.max_iterations ||
-         iterations_ - halved_at_ >= patience;
+  const int most = options_.max_iterations, stalled = iterations_ - halved_at_;
+  if (!options_.to_rest) return iterations_ >= most;
+  if (halved_ < near && stalled > 0 && stalled >= most / 6) return true;
+  return iterations_ >= times * most || (iterations_ >= most && stalled >= most / 3);
 }
 
 NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {

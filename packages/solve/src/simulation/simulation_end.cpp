@@ -29,6 +29,39 @@ bool Simulation::Data::finish() {
   return false;
 }
 
+// Newton's method came near an equilibrium and goes round in circles there, where slack fabric resists next to nothing:
+// single steps from where it ended, each damped against where it starts, the less the nearer they are. False: they do
+// not get nearer, and the state is as it was.
+bool Simulation::Data::creep() {
+  constexpr double near = 1e-3, arrived = 1e-9;
+  constexpr int most_steps = 150;
+  if (!watch.stopped().empty() || !tries.failed || tries.failed_damping != 0.0) return false;
+  const RCP<Vector> before = z;
+  z = rcp(new Vector(*tries.failed->z, Teuchos::Copy));
+  double left = undamped_residual(*equilibrium, *z, 1.0);
+  double coefficient = fallback_damping(*equilibrium, stage.first_step);
+  NewtonOptions single = options.newton;
+  single.max_iterations = 1;
+  for (int k = 0; k < most_steps && left < near && left > arrived; ++k) {
+    equilibrium->set_damping(coefficient);
+    equilibrium->start_step(*z, 1.0);
+    const Attempt attempt = solve_at(equilibrium, stage, single, *z, 1.0);
+    count(attempt);
+    if (!watch.stopped().empty()) break;
+    const double now = undamped_residual(*equilibrium, *attempt.z, 1.0);
+    if (!(now < near)) break;
+    z = attempt.z;
+    coefficient *= now < 0.5 * left ? 0.2 : now < left ? 0.7 : 2.0;
+    left = now;
+  }
+  equilibrium->set_damping(0.0);
+  equilibrium->start_step(*z, 1.0);
+  if (left <= arrived && finish()) return true;
+  z = before;
+  equilibrium->start_step(*z, 1.0);
+  return false;
+}
+
 bool Simulation::Data::relax() {
   const std::optional<double> now = fade_damping(*equilibrium, stage, z, loose_solver());
   faded = now.value_or(0.0);
@@ -43,7 +76,7 @@ bool Simulation::Data::come_to_rest() {
   const std::vector<double> offsets = equilibrium->offsets();
   const State damped = state;
   const int already = tries.iterations;
-  const bool found = finish();
+  const bool found = finish() || creep();
   if (found && !strayed(damped, tries.iterations - already)) return true;
   if (!stage.damping.active) return false;
   const RCP<const Vector> end = z;
