@@ -1,0 +1,339 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "figure/scan.hpp"
+
+namespace toile::body {
+namespace {
+
+constexpr int bisections = 24;
+
+void find_crotch(const Finder& finder) {
+  const FigureScan& scan = finder.scan;
+  const auto& levels = scan.levels();
+  int i = scan.index(scan.bottom() + 0.72 * scan.height());
+  while (i >= 0 && levels[i].trunk < 0) {
+    --i;
+  }
+  while (i >= 0 && levels[i].trunk >= 0) {
+    --i;
+  }
+  if (i < 0 || scan.beside(levels[i], 1) == nullptr || scan.beside(levels[i], -1) == nullptr) {
+    finder.miss("crotch", "no height was found at which the trunk parts into two legs");
+    return;
+  }
+  double legs = levels[i].z, trunk = levels[i + 1].z;
+  for (int k = 0; k < bisections; ++k) {
+    const double middle = 0.5 * (legs + trunk);
+    (scan.level(middle).trunk >= 0 ? trunk : legs) = middle;
+  }
+  const FigureLevel below = scan.level(legs);
+  const SectionPiece *left = scan.beside(below, 1), *right = scan.beside(below, -1);
+  if (left == nullptr || right == nullptr) {
+    finder.miss("crotch", "the trunk does not part into two legs");
+    return;
+  }
+  const auto [a, b] = nearest_pair(*left, *right);
+  const double x = 0.5 * (left->lower.x() + right->upper.x());
+  finder.add("crotch", {x, 0.5 * (a.y() + b.y()), legs});
+}
+
+/// How far the trunk reaches to one side.
+std::optional<double> reach(const FigureScan& scan, const FigureLevel& level, int side) {
+  const SectionPiece* trunk = level.trunk_piece();
+  if (trunk == nullptr) {
+    return {};
+  }
+  return side > 0 ? trunk->upper.x() - scan.middle() : scan.middle() - trunk->lower.x();
+}
+
+/// Where the trunk's section jumps because the arm has joined it.
+void find_armpit(const Finder& finder, int side) {
+  constexpr double jump = 0.03;  // of the height
+  const FigureScan& scan = finder.scan;
+  const std::string name = std::string(side_name(side)) + "armpit";
+  const Landmark* crotch = finder.find("crotch");
+  const double from = crotch != nullptr ? crotch->point.z() + 0.1 * scan.height() : scan.bottom();
+  for (int i = scan.index(from) + 1; i + 1 < static_cast<int>(scan.levels().size()); ++i) {
+    const auto here = reach(scan, scan.levels()[i], side), next = reach(scan, scan.levels()[i + 1], side);
+    if (!here || !next || *next - *here < jump * scan.height()) {
+      continue;
+    }
+    double below = scan.levels()[i].z, above = scan.levels()[i + 1].z;
+    for (int k = 0; k < bisections; ++k) {
+      const double middle = 0.5 * (below + above);
+      const auto there = reach(scan, scan.level(middle), side);
+      (there && *there - *here > 0.5 * (*next - *here) ? above : below) = middle;
+    }
+    const FigureLevel level = scan.level(below);
+    const SectionPiece *trunk = level.trunk_piece(), *arm = scan.beside(level, side);
+    if (arm != nullptr) {
+      const auto [a, b] = nearest_pair(*trunk, *arm);
+      finder.add(name, 0.5 * (a + b));
+    } else {
+      const auto outermost =
+          std::max_element(trunk->points.begin(), trunk->points.end(),
+                           [side](const Vec3& a, const Vec3& b) { return side * a.x() < side * b.x(); });
+      finder.add(name, *outermost);
+    }
+    return;
+  }
+  finder.miss(name, "no height was found at which an arm leaves the trunk");
+}
+
+/// Foremost (sign -1) or hindmost (+1) y of a curve at x; none if it does not reach there.
+std::optional<double> outline_at(const SectionPiece& piece, double x, double sign) {
+  std::optional<double> best;
+  for (std::size_t i = 0; i < piece.points.size(); ++i) {
+    const Vec3 &a = piece.points[i], &b = piece.points[(i + 1) % piece.points.size()];
+    if ((a.x() < x) == (b.x() < x)) {
+      continue;
+    }
+    const double y = a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+    if (!best || sign * y > sign * *best) {
+      best = y;
+    }
+  }
+  return best;
+}
+
+/// The search of the trunk's landmarks between crotch and armpits.
+class Trunk {
+ public:
+  explicit Trunk(const Finder& finder) : finder_(finder), scan_(finder.scan) {
+    const Landmark* crotch = finder.find("crotch");
+    bottom_ = crotch != nullptr ? crotch->point.z() : scan_.bottom();
+    const Landmark *left = finder.find("left armpit"), *right = finder.find("right armpit");
+    const Landmark* neck = finder.find("neck");
+    if (left != nullptr && right != nullptr) {
+      top_ = 0.5 * (left->point.z() + right->point.z());
+      half_width_ = 0.5 * (left->point.x() - right->point.x());
+    } else if (neck != nullptr) {
+      // The armpits are about a quarter of the way from the neck to the crotch.
+      top_ = neck->point.z() - 0.27 * (neck->point.z() - bottom_);
+      const FigureLevel level = scan_.level(top_);
+      half_width_ = level.trunk < 0 ? 0.0 : 0.5 * (level.trunk_piece()->upper.x() - level.trunk_piece()->lower.x());
+    }
+  }
+  bool known() const { return top_ > bottom_ && half_width_ > 0.0; }
+  void find_hip() const;
+  void find_waist() const;
+  void find_bust() const;
+  void find_underbust() const;
+  void find_blades() const;
+
+ private:
+  double length() const { return top_ - bottom_; }
+  /// The point furthest to the front (-1) or back (+1) on one side, at heights between `from` and `to`.
+  struct Prominence {
+    Vec3 point;
+    bool inside = false;  ///< not at an end of the heights
+  };
+  std::optional<Prominence> most_prominent(double sign, int side, double from, double to) const;
+
+  const Finder& finder_;
+  const FigureScan& scan_;
+  double bottom_ = 0.0, top_ = 0.0, half_width_ = 0.0;
+};
+
+std::optional<Trunk::Prominence> Trunk::most_prominent(double sign, int side, double from, double to) const {
+  std::optional<Prominence> best;
+  const int first = scan_.index(from) + 1, last = scan_.index(to);
+  for (int i = first; i <= last; ++i) {
+    const SectionPiece* trunk = scan_.levels()[i].trunk_piece();
+    if (trunk == nullptr) {
+      continue;
+    }
+    for (const Vec3& p : trunk->points) {
+      const double away = side * (p.x() - scan_.middle());
+      if (side != 0 && (away < 0.1 * half_width_ || away > half_width_)) {
+        continue;
+      }
+      if (!best || sign * p.y() > sign * best->point.y()) {
+        best = Prominence{p, i > first && i < last};
+      }
+    }
+  }
+  return best;
+}
+
+void Trunk::find_hip() const {
+  // Where the buttocks stand out most; without them the largest girth.
+  const double from = bottom_ + 0.02 * length(), to = bottom_ + 0.45 * length();
+  const auto left = most_prominent(1.0, 1, from, to), right = most_prominent(1.0, -1, from, to);
+  if (left && right && left->inside && right->inside) {
+    finder_.add_trunk_level("hip", 0.5 * (left->point.z() + right->point.z()));
+    return;
+  }
+  double most = 0.0, z = from;
+  for (int i = scan_.index(from) + 1; i <= scan_.index(to); ++i) {
+    const SectionPiece* trunk = scan_.levels()[i].trunk_piece();
+    if (trunk != nullptr && trunk->tape_girth > most) {
+      most = trunk->tape_girth;
+      z = scan_.levels()[i].z;
+    }
+  }
+  finder_.add_trunk_level("hip", z);
+}
+
+void Trunk::find_waist() const {
+  const Landmark* hip = finder_.find("hip");
+  const double from = hip != nullptr ? hip->point.z() : bottom_, to = top_ - 0.1 * length();
+  int least = -1;
+  const int first = scan_.index(from) + 1, last = scan_.index(to);
+  for (int i = first; i <= last; ++i) {
+    const SectionPiece* trunk = scan_.levels()[i].trunk_piece();
+    if (trunk != nullptr && (least < 0 || trunk->tape_girth < scan_.levels()[least].trunk_piece()->tape_girth)) {
+      least = i;
+    }
+  }
+  if (least < 0 || least == first || least == last) {
+    finder_.miss("waist", "no height between hip and armpits has the smallest girth of the trunk");
+    return;
+  }
+  finder_.add_trunk_level("waist", scan_.levels()[least].z);
+}
+
+void Trunk::find_bust() const {
+  double sum = 0.0;
+  int count = 0;
+  for (const int side : {1, -1}) {
+    const std::string name = std::string(side_name(side)) + "bust point";
+    const auto point = most_prominent(-1.0, side, top_ - 0.31 * length(), top_ + 0.1 * length());
+    if (!point || !point->inside) {
+      finder_.miss(name, "nothing of the chest stands out to the front between the waist and the armpit");
+      continue;
+    }
+    finder_.add(name, point->point);
+    sum += point->point.z();
+    ++count;
+  }
+  if (count == 2) {
+    finder_.add_trunk_level("bust", 0.5 * sum);
+  } else {
+    finder_.miss("bust", "a bust point was not found");
+  }
+}
+
+void Trunk::find_underbust() const {
+  constexpr double least_fold = 1e-3;  // of the height
+  const Landmark* waist = finder_.find("waist");
+  double sum = 0.0;
+  int count = 0;
+  for (const int side : {1, -1}) {
+    const Landmark* bust = finder_.find(std::string(side_name(side)) + "bust point");
+    if (bust == nullptr || waist == nullptr) {
+      continue;
+    }
+    const Vec3& top = bust->point;
+    const FigureLevel waist_level = scan_.level(waist->point.z());
+    const auto front = outline_at(*waist_level.trunk_piece(), top.x(), -1.0);
+    if (!front) {
+      continue;
+    }
+    // The deepest place behind the line from the bust point to the front of the waist.
+    double deepest = least_fold * scan_.height(), z = 0.0;
+    for (int i = scan_.index(waist->point.z()) + 1; i <= scan_.index(top.z()); ++i) {
+      const FigureLevel& level = scan_.levels()[i];
+      const auto y = level.trunk < 0 ? std::nullopt : outline_at(*level.trunk_piece(), top.x(), -1.0);
+      if (!y) {
+        continue;
+      }
+      const double share = (level.z - waist->point.z()) / (top.z() - waist->point.z());
+      const double depth = *y - (*front + share * (top.y() - *front));
+      if (depth > deepest) {
+        deepest = depth;
+        z = level.z;
+      }
+    }
+    if (z != 0.0) {
+      sum += z;
+      ++count;
+    }
+  }
+  if (count == 2) {
+    finder_.add_trunk_level("underbust", 0.5 * sum);
+  } else {
+    finder_.miss("underbust", "there is no fold below the bust points, or they or the waist were not found");
+  }
+}
+
+void Trunk::find_blades() const {
+  for (const int side : {1, -1}) {
+    const std::string name = std::string(side_name(side)) + "shoulder blade";
+    const auto point = most_prominent(1.0, side, top_ - 0.2 * length(), top_ + 0.3 * length());
+    if (point && point->inside) {
+      finder_.add(name, point->point);
+    } else {
+      finder_.miss(name, "nothing of the back stands out near the armpit");
+    }
+  }
+}
+
+}  // namespace
+
+void find_crotch_and_armpits(const Finder& finder) {
+  find_crotch(finder);
+  find_armpit(finder, 1);
+  find_armpit(finder, -1);
+}
+
+void find_neck(const Finder& finder) {
+  const FigureScan& scan = finder.scan;
+  const Landmark *left = finder.find("left armpit"), *right = finder.find("right armpit");
+  double from = scan.bottom() + 0.6 * scan.height();
+  if (left != nullptr || right != nullptr) {
+    from = std::max(left != nullptr ? left->point.z() : from, right != nullptr ? right->point.z() : from);
+  }
+  Course course;
+  for (int i = scan.index(from) + 1; i < static_cast<int>(scan.levels().size()); ++i) {
+    const SectionPiece* trunk = scan.levels()[i].trunk_piece();
+    if (trunk == nullptr) {
+      break;
+    }
+    course.emplace_back(scan.levels()[i].z, trunk->tape_girth);
+  }
+  const int narrow = first_narrow(course);
+  if (narrow >= 0) {
+    finder.add_trunk_level("neck", course[narrow].first);
+    const double top = scan.extent().upper.z();
+    const FigureLevel head = scan.level(top - 0.1 * scan.step());
+    const Vec3 centre = head.pieces.empty() ? Vec3(scan.middle(), 0.0, top) : head.pieces.front().centre;
+    finder.add("crown", {centre.x(), centre.y(), top});
+    return;
+  }
+  finder.miss("crown", "the body has no head above a neck");
+  // Of a body that ends there: above the shoulders.
+  Course stump;
+  for (const auto& place : course) {
+    if (place.second < 0.55 * course.front().second) {
+      stump.push_back(place);
+    }
+  }
+  const int steady = steadiest(stump);
+  if (steady >= 0) {
+    finder.add_trunk_level("neck", stump[steady].first);
+  } else {
+    finder.miss("neck", "no height above the shoulders has a smallest girth");
+  }
+}
+
+void find_trunk(const Finder& finder) {
+  const Trunk trunk(finder);
+  if (!trunk.known()) {
+    for (const char* name : {"hip", "waist", "left bust point", "right bust point", "bust", "underbust",
+                             "left shoulder blade", "right shoulder blade"}) {
+      finder.miss(name, "where the trunk ends is not known, for neither both armpits nor the neck were found");
+    }
+    return;
+  }
+  trunk.find_hip();
+  trunk.find_waist();
+  trunk.find_bust();
+  trunk.find_underbust();
+  trunk.find_blades();
+}
+
+}  // namespace toile::body
