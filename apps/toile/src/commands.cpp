@@ -11,6 +11,7 @@ namespace toile::app {
   COMMAND(identify)             \
   COMMAND(body_measure)         \
   COMMAND(body_landmarks)       \
+  COMMAND(body_make)            \
   COMMAND(describe)
 
 #define TOILE_DECLARE(name) void add_##name(CLI::App& program, Chosen& chosen);

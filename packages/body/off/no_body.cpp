@@ -2,6 +2,7 @@
 #include "toile/base/error.hpp"
 #include "toile/body/import.hpp"
 #include "toile/body/landmarks.hpp"
+#include "toile/body/mannequin.hpp"
 #include "toile/body/section.hpp"
 #include "toile/body/triangle_tree.hpp"
 
@@ -32,6 +33,10 @@ double Sections::length_on_surface(const Vec3& /*from*/, const Vec3& /*to*/) con
   return 0.0;
 }
 Extent extent_of(const TriangleMesh& /*mesh*/) {
+  refuse();
+}
+Mannequin make_mannequin(const TriangleMesh& /*body*/, const std::vector<Measurement>& /*measurements*/,
+                         const MannequinOptions& /*options*/) {
   refuse();
 }
 Landmarks find_landmarks(const TriangleMesh& /*mesh*/) {

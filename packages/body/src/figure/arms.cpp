@@ -96,31 +96,34 @@ int bend_of(const std::vector<ArmStation>& line, int wrist, double* angle) {
   return best;
 }
 
-/// Number of the station of the wrist: the thinnest one before the fingers; of an arm that is cut there the steadiest.
+/// Number of the station of the wrist: the thinnest one before the hand; of an arm that is cut there, and has no place
+/// behind which it gets wider, the steadiest. -1: none.
 int wrist_of(const std::vector<ArmStation>& line) {
-  const int from = static_cast<int>(0.4 * line.size());
-  Course course;
-  for (std::size_t i = from; i < line.size(); ++i) {
-    course.emplace_back(line[i].along, line[i].girth);
-  }
-  // From the end back, over the hand, so that a thin elbow is not taken for it.
-  int least = static_cast<int>(course.size()) - 1;
-  for (int i = least; i >= 0; --i) {
-    if (course[i].second < course[least].second) {
-      least = i;
+  constexpr double fallen = 0.99, grown = 1.005;
+  const int from = static_cast<int>(0.4 * line.size()), last = static_cast<int>(line.size()) - 1;
+  // From the end back to where the hand, or what is left of it, is widest.
+  int wide = last;
+  for (int i = last; i >= from && line[i].girth > fallen * line[wide].girth; --i) {
+    if (line[i].girth > line[wide].girth) {
+      wide = i;
     }
   }
-  constexpr double grown = 1.03;
-  double behind = 0.0;
-  for (std::size_t i = least; i < course.size(); ++i) {
-    behind = std::max(behind, course[i].second);
+  int narrow = wide;
+  for (int i = wide; i >= from; --i) {
+    if (line[i].girth < line[narrow].girth) {
+      narrow = i;
+    }
   }
-  if (behind > grown * course[least].second) {
-    return from + least;
+  if (line[wide].girth > grown * line[narrow].girth) {
+    return narrow;
   }
-  const int half = static_cast<int>(course.size()) / 2;
-  const int steady = steadiest({course.begin() + half, course.end()});
-  return steady < 0 ? -1 : from + half + steady;
+  const int half = (from + last) / 2;
+  Course course;
+  for (int i = half; i <= last; ++i) {
+    course.emplace_back(line[i].along, line[i].girth);
+  }
+  const int steady = steadiest(course);
+  return steady < 0 ? -1 : half + steady;
 }
 
 class Arm {

@@ -36,7 +36,7 @@ void find_crotch(const Finder& finder) {
     return;
   }
   const auto [a, b] = nearest_pair(*left, *right);
-  const double x = 0.5 * (left->lower.x() + right->upper.x());
+  const double x = 0.5 * (left->centre.x() + right->centre.x());
   finder.add("crotch", {x, 0.5 * (a.y() + b.y()), legs});
 }
 
@@ -287,13 +287,18 @@ void find_neck(const Finder& finder) {
   if (left != nullptr || right != nullptr) {
     from = std::max(left != nullptr ? left->point.z() : from, right != nullptr ? right->point.z() : from);
   }
-  Course course;
+  // A neck is less than half as wide as the trunk between the armpits.
+  const double widest = left != nullptr && right != nullptr ? 0.5 * (left->point.x() - right->point.x()) : HUGE_VAL;
+  Course course, stump;
   for (int i = scan.index(from) + 1; i < static_cast<int>(scan.levels().size()); ++i) {
     const SectionPiece* trunk = scan.levels()[i].trunk_piece();
     if (trunk == nullptr) {
       break;
     }
     course.emplace_back(scan.levels()[i].z, trunk->tape_girth);
+    if (trunk->upper.x() - trunk->lower.x() < widest && trunk->tape_girth < 0.55 * course.front().second) {
+      stump.push_back(course.back());
+    }
   }
   const int narrow = first_narrow(course);
   if (narrow >= 0) {
@@ -306,12 +311,6 @@ void find_neck(const Finder& finder) {
   }
   finder.miss("crown", "the body has no head above a neck");
   // Of a body that ends there: above the shoulders.
-  Course stump;
-  for (const auto& place : course) {
-    if (place.second < 0.55 * course.front().second) {
-      stump.push_back(place);
-    }
-  }
   const int steady = steadiest(stump);
   if (steady >= 0) {
     finder.add_trunk_level("neck", stump[steady].first);
