@@ -2,6 +2,8 @@
 
 #include <exodusII.h>
 
+#include <cmath>
+
 namespace toile::test {
 
 namespace {
@@ -22,6 +24,18 @@ class OpenFile {
   int id = -1;
 };
 
+/// Number of a variable, from 1; 0: there is none of this name.
+int variable(int id, ex_entity_type type, const std::string& name) {
+  int count = 0;
+  ex_get_variable_param(id, type, &count);
+  for (int v = 1; v <= count; ++v) {
+    std::string found(65, '\0');
+    ex_get_variable_name(id, type, v, found.data());
+    if (name == found.c_str()) return v;
+  }
+  return 0;
+}
+
 }  // namespace
 
 ExodusStep::ExodusStep(const std::string& file) : file_(file) {
@@ -29,6 +43,8 @@ ExodusStep::ExodusStep(const std::string& file) : file_(file) {
   if (exodus.id < 0) return;
   steps = static_cast<int>(ex_inquire_int(exodus.id, EX_INQ_TIME));
   nodes = static_cast<int>(ex_inquire_int(exodus.id, EX_INQ_NODES));
+  times.resize(static_cast<size_t>(steps));
+  ex_get_all_times(exodus.id, times.data());
   position.assign(3, std::vector<double>(static_cast<size_t>(nodes)));
   ex_get_coord(exodus.id, position[0].data(), position[1].data(), position[2].data());
   for (size_t d = 0; d < 3; ++d) {
@@ -39,17 +55,22 @@ ExodusStep::ExodusStep(const std::string& file) : file_(file) {
 
 std::vector<double> ExodusStep::nodal(const std::string& name) const {
   const OpenFile exodus(file_);
+  const int v = variable(exodus.id, EX_NODAL, name);
+  if (v == 0) return {};
+  std::vector<double> values(static_cast<size_t>(nodes));
+  ex_get_var(exodus.id, steps, EX_NODAL, v, 1, nodes, values.data());
+  return values;
+}
+
+double ExodusStep::global(const std::string& name) const {
+  const OpenFile exodus(file_);
+  const int v = variable(exodus.id, EX_GLOBAL, name);
+  if (v == 0) return std::nan("");
   int count = 0;
-  ex_get_variable_param(exodus.id, EX_NODAL, &count);
-  for (int v = 1; v <= count; ++v) {
-    std::string found(65, '\0');
-    ex_get_variable_name(exodus.id, EX_NODAL, v, found.data());
-    if (name != found.c_str()) continue;
-    std::vector<double> values(static_cast<size_t>(nodes));
-    ex_get_var(exodus.id, steps, EX_NODAL, v, 1, nodes, values.data());
-    return values;
-  }
-  return {};
+  ex_get_variable_param(exodus.id, EX_GLOBAL, &count);
+  std::vector<double> values(static_cast<size_t>(count));
+  ex_get_var(exodus.id, steps, EX_GLOBAL, 1, 0, count, values.data());
+  return values[static_cast<size_t>(v - 1)];
 }
 
 }  // namespace toile::test

@@ -10,11 +10,14 @@ namespace toile::test {
 struct ExodusStep {
   int steps = 0;                              ///< in the file
   int nodes = 0;                              ///< of garment and body together
+  std::vector<double> times;                  ///< [step]
   std::vector<std::vector<double>> position;  ///< [x, y, z][node] coordinates and displacement, mm
 
   explicit ExodusStep(const std::string& file);
   /// A nodal field by its name, [node].
   std::vector<double> nodal(const std::string& name) const;
+  /// A value of the whole model by its name; not a number if there is none.
+  double global(const std::string& name) const;
 
  private:
   std::string file_;

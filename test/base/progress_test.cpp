@@ -65,6 +65,21 @@ TEST(PathClock, KnowsNothingBeforeTheFirstStep) {
   EXPECT_DOUBLE_EQ(clock.left().value().most, 1.0);
 }
 
+// While an arc follows a falling branch nobody knows when its parameter grows again.
+TEST(PathClock, KnowsNothingOnAFallingBranch) {
+  PathClock clock;
+  clock.start(0.0);
+  clock.advance(0.0, 0.0);
+  clock.advance(0.5, 1.0);
+  EXPECT_TRUE(clock.left().has_value());
+  clock.advance(0.4, 2.0);
+  EXPECT_FALSE(clock.left().has_value());
+  clock.advance(-0.2, 3.0);
+  EXPECT_FALSE(clock.left().has_value());
+  clock.advance(0.6, 4.0);
+  EXPECT_TRUE(clock.left().has_value());
+}
+
 /// Whether from step `first` on the time that is left lies between half the least and twice the most estimate.
 void expect_bounded(const std::vector<double>& parameter, const std::vector<double>& seconds, std::size_t first) {
   PathClock clock;

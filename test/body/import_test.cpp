@@ -80,9 +80,12 @@ TEST(Import, UnreadableFiles) {
 // More than two facets at an edge: the message counts the edges and says where the first is.
 TEST(Import, NotManifold) {
   const std::string file = write_text("fin.obj", block_obj + "v 50 -50 50\nf 1 2 9\n");
-  EXPECT_EQ(message(file), file +
-                               ": not manifold, more than two facets meet: 1 edges; the first runs from (0, 0, 0) to "
-                               "(100, 0, 0). Each edge must belong to two facets.");
+  EXPECT_EQ(
+      message(file),
+      file +
+          ": not manifold, more than two facets meet: 1 edges; the first runs from (0, 0, 0) to "
+          "(100, 0, 0). Each edge must belong to two facets. Pieces that touch along an edge are to be joined into "
+          "one, or moved apart; a wall that is there twice is to be there once.");
 }
 
 // A hole is an error that says where it is, unless open ends are allowed.

@@ -101,6 +101,29 @@ TEST(SplitLongTriangles, TellsHowDeepTurnedStripsLie) {
   }
 }
 
+/// The strips closed by fans round a point in the middle of each rim.
+TriangleMesh closed_strips(int segments, double height) {
+  TriangleMesh mesh = strips(circle(segments), height);
+  const int bottom = 2 * segments, top = bottom + 1;
+  mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+  mesh.vertices.emplace_back(0.0, 0.0, height);
+  for (int i = 0; i < segments; ++i) {
+    const int a = 2 * i, b = 2 * ((i + 1) % segments);
+    mesh.triangles.push_back({bottom, b, a});
+    mesh.triangles.push_back({top, a + 1, b + 1});
+  }
+  return mesh;
+}
+
+// The triangles of caps, which are long as well where strips are many, turn no strip: nothing lies deeper than the
+// chords of the rims.
+TEST(SplitLongTriangles, CapsTurnNoStrip) {
+  for (const int segments : {24, 72}) {
+    TriangleMesh mesh = closed_strips(segments, 400.0);
+    EXPECT_LT(split_long_triangles(&mesh), 1.1 * 60.0 * (1.0 - std::cos(M_PI / segments))) << segments;
+  }
+}
+
 // A box stays a box, and the flat sides of one whose edges are rounded stay flat.
 TEST(SplitLongTriangles, LeavesFlatSidesFlat) {
   const TriangleMesh box = strips({{60, 50, 0}, {-60, 50, 0}, {-60, -50, 0}, {60, -50, 0}}, 1000.0);

@@ -85,12 +85,13 @@ TEST_F(Bodies, OpenHollow) {
                       "fill it")));
 }
 
-// A cylinder with vertices on its rims alone, or on one more ring, is a cylinder all along.
+// A cylinder with vertices on its rims alone, or on one more ring, is a cylinder all along; nothing is warned of, as
+// there is nothing wrong with it.
 TEST_F(Bodies, LongTriangles) {
   for (const int rows : {1, 2}) {
-    write("body.stl", stl(tube(60.0, rows, 400.0 / rows), [] { return 0.0; }));
+    write("body.stl", stl(tube(60.0, rows, 400.0 / rows, 72), [] { return 0.0; }));
     write_sleeve({{"body.obj", "body.stl"}});
-    expect_pressure(pressure_of(250.0), 2.0 * mesh_error);
+    EXPECT_THAT(expect_pressure(pressure_of(250.0), 2.0 * mesh_error), Not(HasSubstr("warning: the body")));
     std::istringstream curve(read("results/pressure-curve.csv"));
     std::string line;
     std::getline(curve, line);

@@ -188,6 +188,25 @@ TEST_F(Sections, BesideTheGarmentAreEmpty) {
   EXPECT_THAT(run.out, HasSubstr("not reached"));
 }
 
+// A level that cuts the upper edge of the garment, here because the axis is inclined by 0.3, cuts an open piece of
+// fabric: marked, without radius and Laplace's value, and told. The level in the middle is closed.
+TEST_F(Sections, ThatAreCutInPartAreOpen) {
+  write_one(90.0, parameter("axis direction", "Array(double)", "{0.3, 0, 1}"));
+  std::string text = read("scene.xml");
+  const std::string one = list("middle", parameter("height", "double", "100"));
+  text.replace(text.find(one), one.size(), one + list("upper", parameter("height", "double", "130")));
+  write("scene.xml", text);
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("level \"upper\" at the height 130 mm cuts "));
+  EXPECT_THAT(run.err, HasSubstr(" of fabric (sleeve) that does not close round the body"));
+  const Rows found = levels();
+  EXPECT_EQ(found.at("middle").at("closed"), "1");
+  EXPECT_EQ(found.at("upper").at("closed"), "0");
+  EXPECT_EQ(found.at("upper").at("Laplace T/r [kPa]"), "");
+  EXPECT_LT(value(found, "upper", "girth [mm]"), 376.0);
+}
+
 // Checks know the pressure at a level and the ratio of two; a level that does not exist is refused by its nearest name.
 TEST_F(Sections, AreChecked) {
   const auto checks = [](const std::string& quantity, double lower, double upper) {

@@ -57,6 +57,15 @@ TEST_F(Starts, RefuseSeamsThroughTheBody) {
                        HasSubstr("scene > Seams > other: parameter \"second\" = \"back.right\"")));
 }
 
+// Two panels laid over each other, both at the angle of the front, are refused where they are sewn round the leg, with
+// what turns one of them to the other side.
+TEST_F(Starts, RefusePanelsOnTheSameSide) {
+  write_case("halves", {{"value=\"180.0\"", "value=\"0.0\""}});
+  expect_refused(AllOf(HasSubstr("scene > Seams > one: parameter \"second\" = \"back.right\""),
+                       HasSubstr("leads through the body"), HasSubstr("back.left is much nearer to front.left (0 mm)"),
+                       HasSubstr("turn a panel round the body (\"angle\" of its placement)")));
+}
+
 // The control: sides that face each other give Laplace's pressure, 1.0931 kPa.
 TEST_F(Starts, TakeSeamsBetweenFacingSides) {
   write_case("halves");
@@ -72,7 +81,8 @@ TEST_F(Starts, RefuseASupportAgainstASeam) {
   all.replace(all.find("\"z\""), 3, "\"xyz\"");
   write_scene("sleeve", {{ends, all}});
   expect_refused(AllOf(HasSubstr("scene > Supports > bottom: parameter \"hold\" = \"xyz\""),
-                       HasSubstr("contradicts the seam \"side\""), HasSubstr("do not hold y there")));
+                       HasSubstr("contradicts the seam \"side\""), HasSubstr("do not hold y there"),
+                       HasSubstr("\"hold\" = \"along the limb\"")));
 }
 
 // Panels and supports with names that results.exo cannot hold, and two whose fields would share a name, are refused.

@@ -89,7 +89,7 @@ TEST(Session, TellsItsObservers) {
   else
     EXPECT_TRUE(first_heard.empty());
   EXPECT_EQ(session.record().reports().size(), 1U);
-  EXPECT_LT(session.record().last().residual, 1e-6);
+  EXPECT_LT(session.record().last().accuracy.residual, 1e-6);
   EXPECT_GT(session.record().statistics().newton_iterations, 0);
 }
 

@@ -55,6 +55,20 @@ TEST(Diagnosis, NamesTheNodeWithTheLargestForce) {
             "\"panel0\", at (22, 30, 0) mm, in the pattern at (20, 30) mm, by 5 N.");
 }
 
+// A stage that was stopped is told where the garment has moved farthest, and how; not of less than a millimetre.
+TEST(Diagnosis, NamesWhereAStoppedStageMoves) {
+  Situation s;
+  const size_t farthest = static_cast<size_t>(Panels::node(0, 2, 3));
+  s.left.state.position[farthest] += solve::Vec3(0.0, 0.0, -0.5);
+  EXPECT_THAT(solve::farthest_motion(s.failure()), IsEmpty());
+  s.left.state.position[farthest] += solve::Vec3(0.0, 0.0, -4.5);
+  EXPECT_EQ(
+      solve::farthest_motion(s.failure()),
+      "it was still moving, farthest at node 15 of panel \"panel0\", at (22, 30, -5) mm, in the pattern at "
+      "(20, 30) mm, by 5 mm in the direction (0, 0, -1) since the start of the stage: look whether anything holds "
+      "it there");
+}
+
 // A contact that does not close is told with its gap and the worst node, and balanced forces are not mentioned.
 TEST(Diagnosis, NamesTheNodeWithTheLargestGap) {
   Situation s;
@@ -97,6 +111,24 @@ TEST(Diagnosis, TellsHowTheAttemptEnded) {
   EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr("The attempt at its start, before any step,"));
   s.relaxing = true;
   EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr("The last attempt at its undamped end"));
+}
+
+// The softest motion is told where it is free, next to free or unstable, with node and direction, and not where the
+// garment resists it.
+TEST(Diagnosis, NamesTheSoftestMotion) {
+  Situation s;
+  s.left.softest = {true, 1e-16, 5, solve::Vec3::UnitZ()};
+  const std::string motion =
+      " a motion that is largest at node 6 of panel \"panel0\", at (11, 10, 0) mm, in the pattern "
+      "at (10, 10) mm, along (0, 0, 1).";
+  EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr(" Nothing resists there" + motion));
+  s.left.softest.stiffness = 2.5e-7;
+  EXPECT_THAT(solve::what_failed(s.failure()),
+              HasSubstr(" Little resists there (2.5e-07 of the mean stiffness)" + motion));
+  s.left.softest.stiffness = -2.5e-7;
+  EXPECT_THAT(solve::what_failed(s.failure()), HasSubstr(" The garment gives way there by" + motion));
+  s.left.softest.stiffness = 1e-3;
+  EXPECT_THAT(solve::what_failed(s.failure()), Not(HasSubstr("motion")));
 }
 
 // Fabric without an energy is told with the number of its points, the worst panel, element, place and stretches.

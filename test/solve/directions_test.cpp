@@ -79,7 +79,7 @@ TEST_P(Directions, ATurnedStripIsTheImageOfAStraightOne) {
   b.simulation.run(pulling());
   ASSERT_GT(a.last().balance.support[1].y(), 0.1);
   EXPECT_EQ(a.last().iterations, b.last().iterations);
-  EXPECT_NEAR(b.last().strain_energy, a.last().strain_energy, 1e-9 * a.last().strain_energy);
+  EXPECT_NEAR(b.last().energy.strain, a.last().energy.strain, 1e-9 * a.last().energy.strain);
   for (size_t n = 0; n < a.simulation.state().position.size(); ++n)
     EXPECT_LT((b.simulation.state().position[n] - rotation * a.simulation.state().position[n]).norm(), 1e-8) << n;
   for (size_t s = 0; s < a.last().balance.support.size(); ++s)

@@ -86,7 +86,7 @@ TEST(Moment, DirectorsOfHeldPositions) {
     turn.damping.active = damped;
     run.simulation.run(turn);
     EXPECT_EQ(run.last().negative_pivots, 0);
-    EXPECT_LT(run.last().residual, 1e-10);
+    EXPECT_LT(run.last().accuracy.residual, 1e-10);
     for (const int node : load.nodes)
       EXPECT_NEAR(angle(run.simulation.state(), node), 0.5 * std::asin(2.0 * m / shear_modulus), 1e-8) << node;
   }

@@ -83,9 +83,9 @@ TEST(Sleeve, SewingReachesTheStateOfTheClosedStart) {
   sewn.observe([&](const solve::StepReport& r, const solve::State&) {
     ++steps;
     undamped_at_end = r.undamped && r.balance.damping.norm() == 0.0;
-    largest_gap = r.gap;
-    damped_share = std::max(damped_share, r.undamped_residual);
-    last_share = r.undamped_residual;
+    largest_gap = r.accuracy.gap;
+    damped_share = std::max(damped_share, r.accuracy.undamped_residual);
+    last_share = r.accuracy.undamped_residual;
   });
   solve::StageOptions sew = stage("sew");
   sew.damping.active = true;

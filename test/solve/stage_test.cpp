@@ -182,7 +182,8 @@ TEST(Stage, DissipationOfAStepFollowsTheFraction) {
     run.simulation.run(sew);
     ASSERT_GT(run.reports.size(), 4u);
     for (size_t k = 1; k + 1 < run.reports.size(); ++k) {
-      const double share = (run.reports[k].dissipated - run.reports[k - 1].dissipated) / run.reports[k].strain_energy;
+      const double share =
+          (run.reports[k].energy.dissipated - run.reports[k - 1].energy.dissipated) / run.reports[k].energy.strain;
       EXPECT_GT(share, 0.4 * fraction) << "step " << k << " of fraction " << fraction;
       EXPECT_LT(share, 2.5 * fraction) << "step " << k << " of fraction " << fraction;
     }
@@ -202,12 +203,12 @@ TEST(Stage, DissipationIsAccumulatedAndJudged) {
     run.simulation.run(sew);
     double before = 0.0, largest = 0.0;
     for (const solve::StepReport& r : run.reports) {
-      largest = std::max(largest, r.strain_energy);
-      EXPECT_GE(r.dissipated, before);
-      EXPECT_DOUBLE_EQ(r.dissipation_ratio, r.dissipated / largest);
-      before = r.dissipated;
+      largest = std::max(largest, r.energy.strain);
+      EXPECT_GE(r.energy.dissipated, before);
+      EXPECT_DOUBLE_EQ(r.energy.dissipation_ratio, r.energy.dissipated / largest);
+      before = r.energy.dissipated;
     }
-    EXPECT_GT(run.last().dissipation_ratio, 0.0);
+    EXPECT_GT(run.last().energy.dissipation_ratio, 0.0);
     EXPECT_EQ(run.simulation.warnings().size(), limit == 0.05 ? 0u : 1u);
     for (const std::string& warning : run.simulation.warnings()) EXPECT_THAT(warning, HasSubstr("not quasi-static"));
   }

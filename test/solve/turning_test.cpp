@@ -77,7 +77,7 @@ TEST_P(Turning, TakesAPanelAlongAsARigidBody) {
   }
   const Recorded r = run(panel.problem, {load_stage(1.0, 0.05)});
   ASSERT_GT(r.reports.size(), 20u);
-  ASSERT_GT(r.reports[0].strain_energy, 0.0);
+  ASSERT_GT(r.reports[0].energy.strain, 0.0);
   for (size_t k = 0; k < r.reports.size(); ++k) {
     const double load = r.reports[k].load;
     const Eigen::AngleAxisd rotation(load * turn.angle, turn.axis);
@@ -85,7 +85,7 @@ TEST_P(Turning, TakesAPanelAlongAsARigidBody) {
       const Vec3 expected = turn.point + rotation * (r.states[0].position[n] - turn.point) + load * move;
       EXPECT_LT((r.states[k].position[n] - expected).norm(), 1e-7) << "node " << n << " at load " << load;
     }
-    EXPECT_NEAR(r.reports[k].strain_energy, r.reports[0].strain_energy, 1e-9 * r.reports[0].strain_energy) << load;
+    EXPECT_NEAR(r.reports[k].energy.strain, r.reports[0].energy.strain, 1e-9 * r.reports[0].energy.strain) << load;
     for (size_t s = 0; s < 2; ++s)
       EXPECT_NEAR(r.reports[k].balance.torque[s], -r.reports[k].balance.torque[1 - s], 1e-8) << load;
   }
@@ -121,7 +121,7 @@ TEST(TurningTorque, IsTheDerivativeOfTheEnergy) {
     if (report.undamped) ends.push_back(&report);
   ASSERT_EQ(ends.size(), 4u);  // the first one settles
   const double derivative =
-      (ends[3]->strain_energy - ends[1]->strain_energy) / (2.0 * h * panel.problem.supports[1].turn->angle);
+      (ends[3]->energy.strain - ends[1]->energy.strain) / (2.0 * h * panel.problem.supports[1].turn->angle);
   EXPECT_GT(derivative, 0.1);
   EXPECT_NEAR(ends[2]->balance.torque[1], derivative, 1e-5 * derivative);
   EXPECT_EQ(ends[2]->balance.torque[0], 0.0);
@@ -149,7 +149,7 @@ TEST(TurningDirector, FollowsOnlyIfItIsHeld) {
     side.turn = solve::Turn{panel.mesh.placed[Panels::node(0, Panels::across, 0)], Vec3::UnitY(), 60.0 * degree};
     if (!is_held) side.director = solve::DirectorSupport::free;
     const Recorded r = run(panel.problem, {load_stage()});
-    const double added = r.reports.back().strain_energy - r.reports.front().strain_energy;
+    const double added = r.reports.back().energy.strain - r.reports.front().energy.strain;
     const int node = Panels::node(0, Panels::across, 2);
     const Vec3 expected = is_held ? Vec3(std::sin(60.0 * degree), 0.0, std::cos(60.0 * degree)) : Vec3(0.0, 0.0, 1.0);
     EXPECT_LT((Vec3(r.states.back().frame[node].row(2)) - expected).norm(), 1e-9) << is_held;

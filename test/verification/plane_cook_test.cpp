@@ -26,7 +26,7 @@ Cook cook(const PlaneCase& row, const PlaneMesh& mesh) {
     integral += 0.5 * length * (result.displacement(edge[k]).y() + result.displacement(edge[k - 1]).y());
   }
   const solve::Vec3 tip = result.displacement(edge.back());
-  return {tip.x(), tip.y(), integral / 16.0, result.reports.back().strain_energy};
+  return {tip.x(), tip.y(), integral / 16.0, result.reports.back().energy.strain};
 }
 
 // On uniform meshes Cook's membrane converges to the reference with the rate 2 x 0.624 of its corner's singularity.

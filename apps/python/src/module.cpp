@@ -376,9 +376,12 @@ void add_step(py::module_& m) {
       .def_readonly("seam", &StepReport::seam, "How far seams are closed, 0 to 1.")
       .def_readonly("iterations", &StepReport::iterations, "Newton iterations since the step before.")
       .def_readonly("cut_backs", &StepReport::cut_backs, "Failed attempts since the step before.")
-      .def_readonly("residual", &StepReport::residual, "Relative residual of the forces.")
-      .def_readonly("strain_energy", &StepReport::strain_energy, "N mm.")
-      .def_readonly("dissipated", &StepReport::dissipated, "Lost to damping so far, N mm.")
+      .def_property_readonly(
+          "residual", [](const StepReport& r) { return r.accuracy.residual; }, "Relative residual of the forces.")
+      .def_property_readonly(
+          "strain_energy", [](const StepReport& r) { return r.energy.strain; }, "N mm.")
+      .def_property_readonly(
+          "dissipated", [](const StepReport& r) { return r.energy.dissipated; }, "Lost to damping so far, N mm.")
       .def_readonly("negative_pivots", &StepReport::negative_pivots, "Of the tangent; 0: stable, -1: not known.")
       .def_readonly("final", &StepReport::undamped, "Whether this is the equilibrium that ends the stage.")
       .def_readonly("seconds", &StepReport::seconds, "Wall time since the start of the run.")

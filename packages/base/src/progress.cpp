@@ -8,11 +8,13 @@
 namespace toile::base {
 
 void PathClock::start(double seconds) {
+  falls_ = false;
   parameter_ = {0.0};
   seconds_ = {seconds};
 }
 
 void PathClock::advance(double parameter, double seconds) {
+  falls_ = parameter < parameter_.back();
   if (parameter > parameter_.back()) {
     parameter_.push_back(parameter);
     seconds_.push_back(seconds);
@@ -53,7 +55,7 @@ double PathClock::by_growth() const {
 }
 
 std::optional<TimeLeft> PathClock::left() const {
-  if (parameter_.size() < 2) return std::nullopt;
+  if (parameter_.size() < 2 || falls_) return std::nullopt;
   constexpr double leap = 3.0;
   std::vector<double> all = paces();
   const double last = all.back();

@@ -150,8 +150,11 @@ std::optional<OtherUnit> person_in_another_unit(double height, double scale) {
 }
 
 void check_manifold(const std::string& file, const PolygonSoup& soup) {
-  refuse_edges(file, soup, "not manifold, more than two facets meet", "Each edge must belong to two facets.",
-               [](const MeshEdge& edge) { return edge.count() > 2; });
+  refuse_edges(
+      file, soup, "not manifold, more than two facets meet",
+      "Each edge must belong to two facets. Pieces that touch along an edge are to be joined into one, or moved "
+      "apart; a wall that is there twice is to be there once.",
+      [](const MeshEdge& edge) { return edge.count() > 2; });
 }
 
 void check_closed(const std::string& file, PolygonSoup soup) {

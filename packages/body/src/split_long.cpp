@@ -164,23 +164,37 @@ void cut(std::size_t n, int i, int middle, std::vector<char>* long_ones, Triangl
   long_ones->push_back((*long_ones)[n]);
 }
 
+/// Normal of the long triangles at a vertex that face a direction: those of a cap, or beyond a crease, have no say.
+Vec3 normal_at(const TriangleMesh& mesh, const std::vector<std::size_t>& long_ones, const Vec3& direction) {
+  constexpr double facing = 0.5;  // cosine
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t n : long_ones) {
+    const Vec3 area = area_vector(mesh, mesh.triangles[n]);
+    if (area.dot(direction) > facing * area.norm()) sum += area;
+  }
+  return sum.normalized();
+}
+
 /// How far the middle of an edge between long triangles lies inside a round body that both ends lie on, the largest,
-/// mm: length / 8 times what the normal turns along the edge. The caps of a body have no say in the normals.
+/// mm: length / 8 times what the normal turns along the edge.
 double deepest_chord(const TriangleMesh& mesh, const std::vector<char>& long_ones) {
-  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+  std::vector<std::vector<std::size_t>> at(mesh.vertices.size());
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     if (long_ones[n] == 0) continue;
-    for (const int v : mesh.triangles[n]) normals[v] += area_vector(mesh, mesh.triangles[n]);
+    for (const int v : mesh.triangles[n]) at[v].push_back(n);
   }
-  for (Vec3& normal : normals) normal.normalize();
   const Sides sides = sides_of(mesh);
   const std::set<Key> flat = flat_edges(mesh, sides);
   double deepest = 0.0;
   for (const auto& [key, facets] : sides) {
     if (facets.size() != 2 || long_ones[facets[0].first] == 0 || long_ones[facets[1].first] == 0) continue;
     if (flat.count(key) > 0) continue;
+    const Vec3 direction = (area_vector(mesh, mesh.triangles[facets[0].first]).normalized() +
+                            area_vector(mesh, mesh.triangles[facets[1].first]).normalized())
+                               .normalized();
     const Vec3 along = mesh.vertices[key.second] - mesh.vertices[key.first];
-    deepest = std::max(deepest, along.dot(normals[key.second] - normals[key.first]) / 8.0);
+    const Vec3 turn = normal_at(mesh, at[key.second], direction) - normal_at(mesh, at[key.first], direction);
+    deepest = std::max(deepest, along.dot(turn) / 8.0);
   }
   return deepest;
 }

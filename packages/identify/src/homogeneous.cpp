@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "test_axes.hpp"
-
 namespace toile::identify {
 namespace {
 
@@ -44,35 +42,27 @@ Step newton_step(const TestAxes& a, double stretch, double l, double k) {
 
 }  // namespace
 
-Homogeneous::Homogeneous(const std::vector<TestPoint>& points) : n_(static_cast<int>(points.size())) {
+Homogeneous::Homogeneous(const std::vector<TestPoint>& points) : now_(points.size()), batch_(points.size()) {
   for (const TestPoint& p : points) {
     const double c = std::cos(p.angle), s = std::sin(p.angle);
     // At 90 degrees the rounding of cos must not couple shear to a pull along an axis of the fabric.
     const double product = std::abs(c * s) < 1e-15 ? 0.0 : c * s;
-    stretch_.push_back(p.stretch);
-    cosine_squared_.push_back(c * c);
-    sine_squared_.push_back(s * s);
-    product_.push_back(product);
-    free_.push_back(p.kind == TestKind::uniaxial ? 1.0 : 0.0);
+    const bool is_free = p.kind == TestKind::uniaxial;
     const double held = p.kind == TestKind::equibiaxial ? p.stretch : 1.0;
-    start_lateral_.push_back(p.kind == TestKind::uniaxial ? 1.0 / std::sqrt(p.stretch) : held);
+    tests_.push_back({p.stretch, {c * c, s * s, product}, is_free, is_free ? 1.0 / std::sqrt(p.stretch) : held});
   }
-  const auto n = points.size();
-  shear_.resize(n);
-  stress_.resize(n);
-  C_.resize(3 * n);
-  W_.resize(n);
-  S_.resize(3 * n);
-  D_.resize(6 * n);
-  thickness_.resize(n);
-  status_.resize(n);
-  active_.reserve(n);
+  active_.reserve(points.size());
 }
 
+Homogeneous::Solution::Solution(std::size_t points) : lateral(points), shear(points), stress(points) {}
+
+Homogeneous::Batch::Batch(std::size_t points)
+    : C(3 * points), W(points), S(3 * points), D(6 * points), thickness(points), status(points) {}
+
 void Homogeneous::start() {
-  lateral_ = start_lateral_;
-  std::fill(shear_.begin(), shear_.end(), 0.0);
-  active_.resize(static_cast<std::size_t>(n_));
+  for (std::size_t p = 0; p < tests_.size(); ++p) now_.lateral[p] = tests_[p].start_lateral;
+  std::fill(now_.shear.begin(), now_.shear.end(), 0.0);
+  active_.resize(tests_.size());
   std::iota(active_.begin(), active_.end(), 0);
 }
 
@@ -80,18 +70,22 @@ void Homogeneous::start() {
 void Homogeneous::load_state(int count) {
   for (int i = 0; i < count; ++i) {
     const int p = active_[i];
-    const double cc = cosine_squared_[p], ss = sine_squared_[p], cs = product_[p], k = shear_[p];
-    const double xx = stretch_[p] * stretch_[p], yy = k * k + lateral_[p] * lateral_[p], xy = stretch_[p] * k;
-    C_[i] = cc * xx + ss * yy + 2.0 * cs * xy;
-    C_[count + i] = ss * xx + cc * yy - 2.0 * cs * xy;
-    C_[2 * count + i] = cs * (yy - xx) + (cc - ss) * xy;
+    const Test& test = tests_[p];
+    const auto& [cc, ss, cs] = test.turn;
+    const double k = now_.shear[p];
+    const double xx = test.stretch * test.stretch, yy = k * k + now_.lateral[p] * now_.lateral[p];
+    const double xy = test.stretch * k;
+    batch_.C[i] = cc * xx + ss * yy + 2.0 * cs * xy;
+    batch_.C[count + i] = ss * xx + cc * yy - 2.0 * cs * xy;
+    batch_.C[2 * count + i] = cs * (yy - xx) + (cc - ss) * xy;
   }
 }
 
 void Homogeneous::evaluate(const material::LawV1& law, const double* params, int count, double* sensitivity) {
   load_state(count);
-  law.evaluate(law.context, count, C_.data(), params, 0, W_.data(), S_.data(), D_.data(), thickness_.data(),
-               sensitivity, status_.data());
+  Batch& b = batch_;
+  law.evaluate(law.context, count, b.C.data(), params, 0, b.W.data(), b.S.data(), b.D.data(), b.thickness.data(),
+               sensitivity, b.status.data());
   evaluations_ += count;
 }
 
@@ -109,22 +103,23 @@ int Homogeneous::newton_steps(int count) {
   int remaining = 0;
   for (int i = 0; i < count; ++i) {
     const int p = active_[i];
-    const Turn turn = {cosine_squared_[p], sine_squared_[p], product_[p]};
-    const TestAxes a = test_axes(turn, S_.data(), D_.data(), count, i);
-    if (free_[p] == 0.0) {
-      stress_[p] = stretch_[p] * a.Sxx;
+    const Test& test = tests_[p];
+    double &lateral = now_.lateral[p], &shear = now_.shear[p], &stress = now_.stress[p];
+    const TestAxes a = test_axes(test.turn, batch_.S.data(), batch_.D.data(), count, i);
+    if (!test.is_free) {
+      stress = test.stretch * a.Sxx;
       continue;
     }
-    const Step step = newton_step(a, stretch_[p], lateral_[p], shear_[p]);
-    const double length = std::max(std::abs(step.log_lateral), std::abs(step.shear) / stretch_[p]);
+    const Step step = newton_step(a, test.stretch, lateral, shear);
+    const double length = std::max(std::abs(step.log_lateral), std::abs(step.shear) / test.stretch);
     if (!std::isfinite(length)) {
-      stress_[p] = not_a_number;
+      stress = not_a_number;
       continue;
     }
-    lateral_[p] *= length < last_step ? 1.0 + step.log_lateral : std::exp(step.log_lateral);
-    shear_[p] += step.shear;
+    lateral *= length < last_step ? 1.0 + step.log_lateral : std::exp(step.log_lateral);
+    shear += step.shear;
     if (length < last_step)
-      stress_[p] = stretch_[p] * condensed_stress(a, a.Sxx, a.Syy, a.Sxy);
+      stress = test.stretch * condensed_stress(a, a.Sxx, a.Syy, a.Sxy);
     else
       active_[remaining++] = p;
   }
@@ -133,37 +128,38 @@ int Homogeneous::newton_steps(int count) {
 
 void Homogeneous::solve(const material::LawV1& law, const double* params) {
   start();
-  int count = n_;
+  int count = size();
   for (int k = 0; k < most_steps && count > 0; ++k) {
     evaluate(law, params, count, nullptr);
     count = newton_steps(count);
   }
-  for (int i = 0; i < count; ++i) stress_[active_[i]] = not_a_number;
+  for (int i = 0; i < count; ++i) now_.stress[active_[i]] = not_a_number;
 }
 
 int Homogeneous::stress(const material::LawV1& law, const double* params, double* stress) {
   solve(law, params);
-  std::copy(stress_.begin(), stress_.end(), stress);
-  return static_cast<int>(std::count_if(stress_.begin(), stress_.end(), [](double v) { return !std::isfinite(v); }));
+  std::copy(now_.stress.begin(), now_.stress.end(), stress);
+  return static_cast<int>(
+      std::count_if(now_.stress.begin(), now_.stress.end(), [](double v) { return !std::isfinite(v); }));
 }
 
 int Homogeneous::stress_and_gradient(const material::LawV1& law, const double* params, double* stress,
                                      double* gradient) {
   const int bad = this->stress(law, params, stress);
-  const auto n = static_cast<std::size_t>(n_), n_params = static_cast<std::size_t>(law.n_params);
-  sensitivity_.resize(3 * n_params * n);
+  const std::size_t n = tests_.size(), n_params = static_cast<std::size_t>(law.n_params);
+  std::vector<double>& dSdp = batch_.sensitivity;
+  dSdp.resize(3 * n_params * n);
   std::iota(active_.begin(), active_.end(), 0);
-  evaluate(law, params, n_, sensitivity_.data());
+  evaluate(law, params, size(), dSdp.data());
   for (std::size_t i = 0; i < n; ++i) {
-    const Turn turn = {cosine_squared_[i], sine_squared_[i], product_[i]};
-    const TestAxes a = test_axes(turn, S_.data(), D_.data(), n_, static_cast<int>(i));
+    const Test& test = tests_[i];
+    const TestAxes a = test_axes(test.turn, batch_.S.data(), batch_.D.data(), size(), static_cast<int>(i));
     for (std::size_t k = 0; k < n_params; ++k) {
-      const std::array<double, 3> g = {sensitivity_[k * n + i], sensitivity_[(n_params + k) * n + i],
-                                       sensitivity_[(2 * n_params + k) * n + i]};
-      const double x = dot(turn.x(), g);
+      const std::array<double, 3> g = {dSdp[k * n + i], dSdp[(n_params + k) * n + i], dSdp[(2 * n_params + k) * n + i]};
+      const double x = dot(test.turn.x(), g);
       gradient[k * n + i] =
           std::isfinite(stress[i])
-              ? stretch_[i] * (free_[i] == 0.0 ? x : condensed_stress(a, x, dot(turn.y(), g), dot(turn.g(), g)))
+              ? test.stretch * (test.is_free ? condensed_stress(a, x, dot(test.turn.y(), g), dot(test.turn.g(), g)) : x)
               : not_a_number;
     }
   }

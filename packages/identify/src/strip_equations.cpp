@@ -46,31 +46,54 @@ class NoStress final : public material::Response {
 
 }  // namespace
 
-StripEquations::StripEquations(const StripSpecimen& specimen, double wale_angle)
-    : length_(specimen.length / specimen.width), element_(*element::find("membrane4")) {
-  const mesh::Grid grid = strip_grid(specimen);
-  connectivity_ = grid.connectivity;
-  const std::size_t n = connectivity_.size() / corners;
-  for (const int node : connectivity_) {
-    pattern_.push_back(grid.nodes[node].x());
-    pattern_.push_back(grid.nodes[node].y());
+StripEquations::Elements::Elements(const mesh::Grid& grid, double wale_angle)
+    : kind(*element::find("membrane4")), connectivity(grid.connectivity) {
+  const std::size_t n = connectivity.size() / corners;
+  for (const int node : connectivity) {
+    pattern.push_back(grid.nodes[node].x());
+    pattern.push_back(grid.nodes[node].y());
   }
-  angles_.assign(n, 0.5 * std::acos(-1.0) + wale_angle);
-  x_.assign(3 * corners * n, 0.0);
-  energies_.resize(n);
-  residuals_.resize(3 * corners * n);
-  tangents_.resize(9 * corners * corners * n);
-  batch_.n = static_cast<int>(n);
-  batch_.pattern = pattern_.data();
-  batch_.x = x_.data();
-  batch_.wale_angle = angles_.data();
+  angles.assign(n, 0.5 * std::acos(-1.0) + wale_angle);
+  x.assign(3 * corners * n, 0.0);
+  energies.resize(n);
+  residuals.resize(3 * corners * n);
+  tangents.resize(9 * corners * corners * n);
   std::vector<double> areas(corners * n);
-  element_.reference_areas(batch_, areas.data());
+  kind.reference_areas(batch(nullptr, nullptr), areas.data());
   // Elements are rectangles: all points of one have the same share.
   for (std::size_t e = 0; e < n; ++e)
-    weight_.push_back(std::accumulate(&areas[corners * e], &areas[corners * e] + corners, 0.0) / element_.points());
+    weight.push_back(std::accumulate(&areas[corners * e], &areas[corners * e] + corners, 0.0) / kind.points());
+}
+
+element::Batch StripEquations::Elements::batch(const material::Response* response, const double* params) const {
+  element::Batch b;
+  b.n = static_cast<int>(energies.size());
+  b.pattern = pattern.data();
+  b.x = x.data();
+  b.wale_angle = angles.data();
+  b.response = response;
+  b.params = params;
+  return b;
+}
+
+void StripEquations::Elements::gather(const Vector& positions) {
+  for (std::size_t i = 0; i < connectivity.size(); ++i) {
+    x[3 * i] = positions[2 * connectivity[i]];
+    x[3 * i + 1] = positions[2 * connectivity[i] + 1];
+  }
+}
+
+int StripEquations::Elements::dof(std::size_t e, int i) const {
+  return 2 * connectivity[corners * e + static_cast<std::size_t>(i) / 2] + i % 2;
+}
+
+StripEquations::StripEquations(const StripSpecimen& specimen, double wale_angle)
+    : StripEquations(strip_grid(specimen), wale_angle, specimen.length / specimen.width) {}
+
+StripEquations::StripEquations(const mesh::Grid& grid, double wale_angle, double length)
+    : length_(length), elements_(grid, wale_angle) {
   number_unknowns(grid);
-  build_pattern();
+  tangent_.find_places(elements_, free_);
 }
 
 void StripEquations::number_unknowns(const mesh::Grid& grid) {
@@ -80,39 +103,36 @@ void StripEquations::number_unknowns(const mesh::Grid& grid) {
   gradient_.resize(dofs);
   for (std::size_t i = 0; i < grid.nodes.size(); ++i)
     at_rest_.segment<2>(2 * static_cast<Eigen::Index>(i)) = grid.nodes[i];
-  free_.assign(2 * grid.nodes.size(), 0);
+  free_.number.assign(2 * grid.nodes.size(), 0);
   for (const int row : {0, grid.along})
-    for (const int node : grid.row(row)) free_[2 * node] = free_[2 * node + 1] = -1;
+    for (const int node : grid.row(row)) free_.number[2 * node] = free_.number[2 * node + 1] = -1;
   for (const int node : grid.row(grid.along)) pull_[2 * node + 1] = 1.0;
-  for (int& number : free_)
-    if (number == 0) number = n_free_++;
+  for (int& number : free_.number)
+    if (number == 0) number = free_.count++;
   pulled_.resize(dofs);
 }
 
-void StripEquations::build_pattern() {
-  const auto dof = [&](std::size_t e, int i) { return 2 * connectivity_[corners * e + i / 2] + i % 2; };
-  const auto n = static_cast<std::size_t>(batch_.n);
+void StripEquations::Tangent::find_places(const Elements& elements, const Free& free) {
+  const std::size_t n = elements.energies.size();
+  const auto for_each = [&](const auto& use) {  // entry of an element that is in the lower triangle
+    for (std::size_t e = 0; e < n; ++e)
+      for (int r = 0; r < plane_dofs; ++r)
+        for (int c = 0; c < plane_dofs; ++c) {
+          const int row = free.number[elements.dof(e, r)], column = free.number[elements.dof(e, c)];
+          if (column >= 0 && row >= column) use((e * plane_dofs + r) * plane_dofs + c, row, column);
+        }
+  };
   std::vector<Eigen::Triplet<double>> triplets;
-  for (std::size_t e = 0; e < n; ++e)
-    for (int r = 0; r < plane_dofs; ++r)
-      for (int c = 0; c < plane_dofs; ++c) {
-        const int row = free_[dof(e, r)], column = free_[dof(e, c)];
-        if (column >= 0 && row >= column) triplets.emplace_back(row, column, 0.0);
-      }
-  K_.resize(n_free_, n_free_);
-  K_.setFromTriplets(triplets.begin(), triplets.end());
-  factors_.analyzePattern(K_);
-  entry_.assign(n * plane_dofs * plane_dofs, -1);
-  for (std::size_t e = 0; e < n; ++e)
-    for (int r = 0; r < plane_dofs; ++r)
-      for (int c = 0; c < plane_dofs; ++c) {
-        const int row = free_[dof(e, r)], column = free_[dof(e, c)];
-        if (column < 0 || row < column) continue;
-        const int* first = K_.innerIndexPtr();
-        const int* place =
-            std::lower_bound(first + K_.outerIndexPtr()[column], first + K_.outerIndexPtr()[column + 1], row);
-        entry_[(e * plane_dofs + r) * plane_dofs + c] = static_cast<int>(place - first);
-      }
+  for_each([&](std::size_t, int row, int column) { triplets.emplace_back(row, column, 0.0); });
+  K.resize(free.count, free.count);
+  K.setFromTriplets(triplets.begin(), triplets.end());
+  factors.analyzePattern(K);
+  place.assign(n * plane_dofs * plane_dofs, -1);
+  for_each([&](std::size_t entry, int row, int column) {
+    const int* first = K.innerIndexPtr();
+    const int* found = std::lower_bound(first + K.outerIndexPtr()[column], first + K.outerIndexPtr()[column + 1], row);
+    place[entry] = static_cast<int>(found - first);
+  });
 }
 
 void StripEquations::set_law(const material::LawV1& law, const double* params) {
@@ -120,44 +140,35 @@ void StripEquations::set_law(const material::LawV1& law, const double* params) {
   params_ = params;
 }
 
-void StripEquations::gather(const Vector& x) {
-  for (std::size_t i = 0; i < connectivity_.size(); ++i) {
-    x_[3 * i] = x[2 * connectivity_[i]];
-    x_[3 * i + 1] = x[2 * connectivity_[i] + 1];
-  }
-}
-
 double StripEquations::evaluate(const Vector& x) {
-  gather(x);
+  elements_.gather(x);
   const material::PlainResponse response(*law_);
-  batch_.response = &response;
-  batch_.params = params_;
   element::Result result;
-  result.energy = energies_.data();
-  result.residual = residuals_.data();
-  result.tangent = tangents_.data();
-  element_.evaluate(batch_, result);
+  result.energy = elements_.energies.data();
+  result.residual = elements_.residuals.data();
+  result.tangent = elements_.tangents.data();
+  elements_.kind.evaluate(elements_.batch(&response, params_), result);
   assemble();
-  return std::accumulate(energies_.begin(), energies_.end(), 0.0);
+  return std::accumulate(elements_.energies.begin(), elements_.energies.end(), 0.0);
 }
 
 void StripEquations::assemble() {
   gradient_.setZero();
   pulled_.setZero();
-  std::fill_n(K_.valuePtr(), K_.nonZeros(), 0.0);
+  double* values = tangent_.K.valuePtr();
+  std::fill_n(values, tangent_.K.nonZeros(), 0.0);
   constexpr int dofs = 3 * corners;
-  for (std::size_t e = 0; e < static_cast<std::size_t>(batch_.n); ++e) {
-    const double* R = &residuals_[e * dofs];
-    const double* K = &tangents_[e * dofs * dofs];
-    const int* entry = &entry_[e * plane_dofs * plane_dofs];
+  for (std::size_t e = 0; e < elements_.energies.size(); ++e) {
+    const double* R = &elements_.residuals[e * dofs];
+    const double* K = &elements_.tangents[e * dofs * dofs];
+    const int* place = &tangent_.place[e * plane_dofs * plane_dofs];
     for (int r = 0; r < plane_dofs; ++r) {
-      const int row = 2 * connectivity_[corners * e + r / 2] + r % 2;
+      const int row = elements_.dof(e, r);
       gradient_[row] += R[in_space(r)];
       for (int c = 0; c < plane_dofs; ++c) {
         const double value = K[in_space(r) * dofs + in_space(c)];
-        const int column = 2 * connectivity_[corners * e + c / 2] + c % 2;
-        if (entry[r * plane_dofs + c] >= 0) K_.valuePtr()[entry[r * plane_dofs + c]] += value;
-        pulled_[row] += value * pull_[column];
+        if (place[r * plane_dofs + c] >= 0) values[place[r * plane_dofs + c]] += value;
+        pulled_[row] += value * pull_[elements_.dof(e, c)];
       }
     }
   }
@@ -165,27 +176,27 @@ void StripEquations::assemble() {
 
 bool StripEquations::factorise(double shift) {
   ++factorisations_;
-  factors_.setShift(shift * K_.diagonal().mean());
-  factors_.factorize(K_);
-  return factors_.info() == Eigen::Success && factors_.vectorD().minCoeff() > 0.0;
+  tangent_.factors.setShift(shift * tangent_.K.diagonal().mean());
+  tangent_.factors.factorize(tangent_.K);
+  return tangent_.factors.info() == Eigen::Success && tangent_.factors.vectorD().minCoeff() > 0.0;
 }
 
 StripEquations::Vector StripEquations::solve(const Vector& load) const {
-  Vector free(n_free_);
-  for (std::size_t i = 0; i < free_.size(); ++i)
-    if (free_[i] >= 0) free[free_[i]] = load[static_cast<Eigen::Index>(i)];
-  const Vector solution = factors_.solve(free);
+  const std::vector<int>& number = free_.number;
+  Vector free(free_.count);
+  for (std::size_t i = 0; i < number.size(); ++i)
+    if (number[i] >= 0) free[number[i]] = load[static_cast<Eigen::Index>(i)];
+  const Vector solution = tangent_.factors.solve(free);
   Vector all = Vector::Zero(load.size());
-  for (std::size_t i = 0; i < free_.size(); ++i)
-    if (free_[i] >= 0) all[static_cast<Eigen::Index>(i)] = -solution[free_[i]];
+  for (std::size_t i = 0; i < number.size(); ++i)
+    if (number[i] >= 0) all[static_cast<Eigen::Index>(i)] = -solution[number[i]];
   return all;
 }
 
 std::vector<double> StripEquations::cauchy_green(const Vector& x) {
-  gather(x);
+  elements_.gather(x);
   const NoStress response;
-  batch_.response = &response;
-  const std::vector<double> by_point = element_.fields(batch_).C;
+  const std::vector<double> by_point = elements_.kind.fields(elements_.batch(&response, params_)).C;
   const std::size_t n = by_point.size() / 3;
   std::vector<double> C(by_point.size());
   for (std::size_t p = 0; p < n; ++p)
@@ -199,9 +210,10 @@ void StripEquations::sensitivities(const Vector& x, const Vector& v, double* out
   std::vector<double> dE = cauchy_green(x + v);
   const std::vector<double> back = cauchy_green(x - v);
   const std::size_t n = C.size() / 3, n_params = static_cast<std::size_t>(law_->n_params);
-  const std::size_t points = n / weight_.size();
+  const std::vector<double>& weight = elements_.weight;
+  const std::size_t points = n / weight.size();
   for (std::size_t i = 0; i < dE.size(); ++i)
-    dE[i] = (i < 2 * n ? 0.25 : 0.5) * (dE[i] - back[i]) * weight_[(i % n) / points];
+    dE[i] = (i < 2 * n ? 0.25 : 0.5) * (dE[i] - back[i]) * weight[(i % n) / points];
   std::vector<double> W(n), S(3 * n), D(6 * n), thickness(n), dSdp(3 * n_params * n);
   std::vector<std::uint8_t> status(n);
   law_->evaluate(law_->context, static_cast<int>(n), C.data(), params_, 0, W.data(), S.data(), D.data(),

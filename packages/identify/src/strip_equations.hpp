@@ -41,31 +41,49 @@ class StripEquations {
   void sensitivities(const Vector& x, const Vector& v, double* out, std::size_t stride);
 
  private:
-  using Sparse = Eigen::SparseMatrix<double>;
+  /// What is evaluated, and the last results.
+  struct Elements {
+    Elements(const mesh::Grid& grid, double wale_angle);
+    void gather(const Vector& positions);
+    element::Batch batch(const material::Response* response, const double* params) const;
+    /// Place in a vector [2 nodes] of the i-th unknown of an element.
+    int dof(std::size_t e, int i) const;
+
+    const element::Element& kind;
+    std::vector<int> connectivity;        ///< [n][4]
+    std::vector<double> pattern, angles;  ///< [n][4][2], [n]
+    std::vector<double> weight;           ///< [n] reference area of each point of an element
+    std::vector<double> x, energies, residuals, tangents;
+  };
+  /// The unknowns that no clamp holds.
+  struct Free {
+    std::vector<int> number;  ///< [2 nodes] among them, or -1
+    int count = 0;
+  };
+  /// Of the free unknowns.
+  struct Tangent {
+    using Sparse = Eigen::SparseMatrix<double>;
+    void find_places(const Elements& elements, const Free& free);
+
+    Sparse K;                ///< lower triangle
+    std::vector<int> place;  ///< [n][8][8] of an element's entry among the values of K, -1: not there
+    Eigen::SimplicialLDLT<Sparse> factors;
+  };
+
+  StripEquations(const mesh::Grid& grid, double wale_angle, double length);
   void number_unknowns(const mesh::Grid& grid);
-  void build_pattern();
-  void gather(const Vector& x);
   void assemble();
   /// C [3][points] in the material frame.
   std::vector<double> cauchy_green(const Vector& x);
 
   double length_;
-  const element::Element& element_;
-  std::vector<int> connectivity_;         ///< [n][4]
-  std::vector<double> pattern_, angles_;  ///< [n][4][2], [n]
-  std::vector<double> weight_;            ///< [n] reference area of each point of an element
-  std::vector<int> free_;                 ///< [2 nodes] number among the free unknowns, or -1
-  int n_free_ = 0;
-  Vector at_rest_, pull_;
-  Sparse K_;                ///< lower triangle, free unknowns
-  std::vector<int> entry_;  ///< [n][8][8] place among the values of K_, -1: not there
-  Eigen::SimplicialLDLT<Sparse> factors_;
+  Elements elements_;
+  Free free_;
+  Tangent tangent_;
   long factorisations_ = 0;
-
+  Vector at_rest_, pull_;
   const material::LawV1* law_ = nullptr;
   const double* params_ = nullptr;
-  element::Batch batch_;
-  std::vector<double> x_, energies_, residuals_, tangents_;
   Vector gradient_, pulled_;
 };
 

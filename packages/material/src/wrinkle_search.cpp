@@ -72,8 +72,8 @@ Minor minor_of(double t11, double t22, double t12) {
 void WrinkleSearch::start_rank_one(const Direction& n, double q, double bound) {
   start(Family::rank_one, scaled(0.5 * q, along(n)));
   energy_ = bound;
-  trial_n_ = n;
-  trial_q_ = q;
+  trial_.n = n;
+  trial_.q = q;
 }
 
 void WrinkleSearch::start(Family family, const Voigt& half_A) {
@@ -81,12 +81,12 @@ void WrinkleSearch::start(Family family, const Voigt& half_A) {
   first_ = true;
   done_ = false;
   received_ = 0;
-  trial_ = half_A;
+  trial_.half = half_A;
   energy_ = std::numeric_limits<double>::infinity();
 }
 
 Voigt WrinkleSearch::stress() const {
-  Voigt T = times(natural_, half_A_);
+  Voigt T = times(natural_, A_.half);
   for (int a = 0; a < 3; ++a) T[a] = answer_.S[a] + residual_ * T[a];
   return T;
 }
@@ -96,14 +96,14 @@ WrinkleSearch::Basis WrinkleSearch::basis(const Voigt& T) const {
   std::array<Voigt, 3> H = {};
   if (family_ == Family::rank_one) {
     b.size = 2;
-    b.column = {along(n_), turning(n_), {}};
+    b.column = {along(A_.n), turning(A_.n), {}};
     // Curvature of the path: A = q n n^T is not linear in n.
-    H[1][0] = 2.0 * dot(T, b.column[1]) / q_;
-    H[1][1] = (T[0] + T[1] - 2.0 * dot(T, b.column[0])) / q_;
+    H[1][0] = 2.0 * dot(T, b.column[1]) / A_.q;
+    H[1][1] = (T[0] + T[1] - 2.0 * dot(T, b.column[0])) / A_.q;
   } else {
     constexpr std::array<Voigt, 3> unit = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
     for (int a = 0; a < 3; ++a) {
-      const bool is_free = family_ == Family::full || (a < 2 && (half_A_[a] > 0.0 || T[a] < 0.0));
+      const bool is_free = family_ == Family::full || (a < 2 && (A_.half[a] > 0.0 || T[a] < 0.0));
       if (is_free) b.column[b.size++] = unit[a];
     }
   }
@@ -119,21 +119,22 @@ WrinkleSearch::Basis WrinkleSearch::basis(const Voigt& T) const {
 
 double WrinkleSearch::longest_step() const {
   if (family_ != Family::rank_one) return 1.0;
-  const double shrinking = -2.0 * step_[0] / (0.8 * q_), turn = std::abs(step_[1]) / (0.5 * q_);
+  const double shrinking = -2.0 * step_.length[0] / (0.8 * A_.q), turn = std::abs(step_.length[1]) / (0.5 * A_.q);
   return 1.0 / std::max({1.0, shrinking, turn});
 }
 
-Voigt WrinkleSearch::moved(double t) {
+WrinkleSearch::WrinkleStrain WrinkleSearch::moved(double part) const {
+  WrinkleStrain result = A_;
   if (family_ == Family::rank_one) {
-    trial_q_ = std::max(q_ + 2.0 * t * step_[0], 0.1 * q_);
-    trial_n_ = turned(n_, t * step_[1] / q_);
-    return scaled(0.5 * trial_q_, along(trial_n_));
+    result.q = std::max(A_.q + 2.0 * part * step_.length[0], 0.1 * A_.q);
+    result.n = turned(A_.n, part * step_.length[1] / A_.q);
+    result.half = scaled(0.5 * result.q, along(result.n));
+    return result;
   }
-  Voigt result = half_A_;
   for (int k = 0; k < basis_.size; ++k)
-    for (int a = 0; a < 3; ++a) result[a] += t * step_[k] * basis_.column[k][a];
+    for (int a = 0; a < 3; ++a) result.half[a] += part * step_.length[k] * basis_.column[k][a];
   if (family_ == Family::axes)
-    for (int a = 0; a < 2; ++a) result[a] = std::max(result[a], 0.0);
+    for (int a = 0; a < 2; ++a) result.half[a] = std::max(result.half[a], 0.0);
   return result;
 }
 
@@ -142,34 +143,32 @@ void WrinkleSearch::plan() {
   basis_ = basis(T);
   const int n = basis_.size;
   double longest = 0.0;
-  slope_ = 0.0;
+  step_.slope = 0.0;
   std::array<double, 3> y = {};
   for (int i = 0; i < n; ++i) {
     y[i] = -dot(T, basis_.column[i]);
     for (int k = 0; k < i; ++k) y[i] -= basis_.L[i][k] * y[k];
-    slope_ -= y[i] * y[i] / basis_.d[i];
+    step_.slope -= y[i] * y[i] / basis_.d[i];
   }
   for (int i = n - 1; i >= 0; --i) {
-    step_[i] = y[i] / basis_.d[i];
-    for (int k = i + 1; k < n; ++k) step_[i] -= basis_.L[k][i] * step_[k];
-    longest = std::max(longest, std::abs(step_[i]));
+    step_.length[i] = y[i] / basis_.d[i];
+    for (int k = i + 1; k < n; ++k) step_.length[i] -= basis_.L[k][i] * step_.length[k];
+    longest = std::max(longest, std::abs(step_.length[i]));
   }
-  const double size = family_ == Family::rank_one ? q_ : 1.0;
+  const double size = family_ == Family::rank_one ? A_.q : 1.0;
   if (longest <= last_step * size + smallest_step || received_ >= most_evaluations) return finish();
-  t_ = longest_step();
-  trial_ = moved(t_);
+  step_.part = longest_step();
+  trial_ = moved(step_.part);
 }
 
 void WrinkleSearch::receive(const Answer& answer) {
   ++received_;
-  const double value = answer.W + 0.5 * residual_ * dot(trial_, times(natural_, trial_));
+  const double value = answer.W + 0.5 * residual_ * dot(trial_.half, times(natural_, trial_.half));
   const double rounding = 1e-14 * (natural_[0] + natural_[1] + std::abs(value));
-  const double bound = first_ ? energy_ : energy_ + 1e-4 * t_ * slope_;
+  const double bound = first_ ? energy_ : energy_ + 1e-4 * step_.part * step_.slope;
   if (answer.status != point_not_admissible && value <= bound + rounding) {
     first_ = false;
-    half_A_ = trial_;
-    q_ = trial_q_;
-    n_ = trial_n_;
+    A_ = trial_;
     answer_ = answer;
     energy_ = value;
     return plan();
@@ -180,12 +179,12 @@ void WrinkleSearch::receive(const Answer& answer) {
 void WrinkleSearch::retreat() {
   if (first_) {
     done_ = family_ != Family::rank_one || received_ >= most_starts;
-    trial_q_ *= 0.25;
-    trial_ = scaled(0.5 * trial_q_, along(trial_n_));
+    trial_.q *= 0.25;
+    trial_.half = scaled(0.5 * trial_.q, along(trial_.n));
   } else {
-    t_ *= 0.5;
-    done_ = t_ < 1e-12 || received_ >= most_evaluations;
-    trial_ = moved(t_);
+    step_.part *= 0.5;
+    done_ = step_.part < 1e-12 || received_ >= most_evaluations;
+    trial_ = moved(step_.part);
   }
 }
 
@@ -193,12 +192,10 @@ void WrinkleSearch::retreat() {
 void WrinkleSearch::finish() {
   done_ = true;
   if (received_ >= most_evaluations) return;
-  const Voigt before = half_A_;
-  half_A_ = moved(1.0);
-  q_ = trial_q_;
-  n_ = trial_n_;
+  const Voigt before = A_.half;
+  A_ = moved(1.0);
   Voigt change;
-  for (int a = 0; a < 3; ++a) change[a] = half_A_[a] - before[a];
+  for (int a = 0; a < 3; ++a) change[a] = A_.half[a] - before[a];
   const Voigt dS = times(answer_.D, change);
   for (int a = 0; a < 3; ++a) answer_.S[a] += dS[a];
   basis_ = basis(stress());
@@ -207,9 +204,9 @@ void WrinkleSearch::finish() {
 bool WrinkleSearch::is_minimum() const {
   const double zero = zero_stress * (natural_[0] + natural_[1]);
   if (family_ == Family::axes) return true;
-  if (family_ == Family::full) return minor_of(2.0 * half_A_[0], 2.0 * half_A_[1], half_A_[2]).value >= 0.0;
+  if (family_ == Family::full) return minor_of(2.0 * A_.half[0], 2.0 * A_.half[1], A_.half[2]).value >= 0.0;
   const Voigt T = stress();
-  return T[0] + T[1] - dot(T, along(n_)) >= -zero;
+  return T[0] + T[1] - dot(T, along(A_.n)) >= -zero;
 }
 
 Tangent WrinkleSearch::tangent() const {
@@ -229,14 +226,14 @@ Tangent WrinkleSearch::tangent() const {
 WrinkleState WrinkleSearch::state() const {
   if (family_ == Family::rank_one) return WrinkleState::wrinkled;
   if (family_ == Family::full) return WrinkleState::slack;
-  const int shortened = (half_A_[0] > 0.0 ? 1 : 0) + (half_A_[1] > 0.0 ? 1 : 0);
+  const int shortened = (A_.half[0] > 0.0 ? 1 : 0) + (A_.half[1] > 0.0 ? 1 : 0);
   return static_cast<WrinkleState>(shortened);
 }
 
 Direction WrinkleSearch::crest() const {
   if (state() != WrinkleState::wrinkled) return {0.0, 0.0};
-  if (family_ == Family::rank_one) return {-n_[1], n_[0]};
-  return half_A_[0] > 0.0 ? Direction{0.0, 1.0} : Direction{1.0, 0.0};
+  if (family_ == Family::rank_one) return {-A_.n[1], A_.n[0]};
+  return A_.half[0] > 0.0 ? Direction{0.0, 1.0} : Direction{1.0, 0.0};
 }
 
 }  // namespace toile::material

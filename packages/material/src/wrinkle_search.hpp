@@ -50,7 +50,7 @@ class WrinkleSearch {
   void start_rank_one(const Direction& n, double q, double bound);
   void start(Family family, const Voigt& half_A);
 
-  const Voigt& trial() const { return trial_; }  ///< A/2 at which the law is to be evaluated
+  const Voigt& trial() const { return trial_.half; }  ///< A/2 at which the law is to be evaluated
   bool done() const { return done_; }
   Family family() const { return family_; }
   void receive(const Answer& answer);
@@ -76,11 +76,23 @@ class WrinkleSearch {
     std::array<double, 3> d;
   };
 
+  /// A, and what it is made of in the rank-one family.
+  struct WrinkleStrain {
+    Voigt half = {};  ///< A/2
+    double q = 0.0;
+    Direction n = {};
+  };
+  /// Newton's step along the basis, and how much of it is tried.
+  struct Step {
+    std::array<double, 3> length = {};  ///< along each column
+    double slope = 0.0, part = 1.0;     ///< of f along the whole step
+  };
+
   Voigt stress() const;  ///< of f: S + eps D0:(A/2)
   Basis basis(const Voigt& T) const;
   void plan();
   void retreat();
-  Voigt moved(double t);
+  WrinkleStrain moved(double part) const;
   double longest_step() const;
   void finish();
 
@@ -88,15 +100,11 @@ class WrinkleSearch {
   double residual_;
   Family family_ = Family::full;
   bool first_ = true, done_ = false;
-  Voigt half_A_ = {}, trial_ = {};
-  // Rank one only.
-  double q_ = 0.0, trial_q_ = 0.0;
-  Direction n_ = {}, trial_n_ = {};
+  WrinkleStrain A_, trial_;
   Answer answer_ = {};
   double energy_ = 0.0;  ///< f; before the first admissible state its upper bound
   Basis basis_;
-  std::array<double, 3> step_ = {};
-  double slope_ = 0.0, t_ = 1.0;
+  Step step_;
   int received_ = 0;
 };
 

@@ -16,8 +16,9 @@ struct Plane {
   double place;  ///< mm
 };
 
+constexpr double flat = 1e-6;  // mm
+
 std::optional<Plane> plane_of(const solve::Support& support, const std::vector<solve::Vec3>& placed) {
-  constexpr double flat = 1e-6;  // mm
   if (std::count(support.held.begin(), support.held.end(), true) != 1 || !support.axes.empty() || support.turn ||
       support.nodes.size() < 3)
     return std::nullopt;
@@ -53,7 +54,7 @@ std::string crossed_plane(const solve::Support& support, const mesh::Mesh& mesh,
     above = std::max(above, mesh.placed[n][plane->axis] - plane->place);
   }
   const double extent = std::max(below, above);
-  if (std::min(below, above) > noticeable * extent) return {};
+  if (extent <= flat || std::min(below, above) > noticeable * extent) return {};
   const double side = above > below ? 1.0 : -1.0;
   const auto beyond = [&](int n) { return side * (plane->place - position[n][plane->axis]); };
   const int deepest =

@@ -25,8 +25,8 @@ Figures figures_of(const solve::Fields& fields, const solve::StepReport& report)
   solve::ForceBalance written = report.balance;
   written.contact = solve::contact_resultant(fields);
   f.force_balance = written.magnitude > 0.0 ? written.sum().norm() / written.magnitude : 0.0;
-  f.largest_gap = report.gap;
-  f.dissipation_ratio = report.dissipation_ratio;
+  f.largest_gap = report.accuracy.gap;
+  f.dissipation_ratio = report.energy.dissipation_ratio;
   f.extrapolated = report.extrapolated;
   return f;
 }

@@ -63,8 +63,8 @@ void put_record(const Record& record, result::StateData& data) {
 
 void check_scene(const std::string& file, const result::StateData& data, const solve::Checkpoint& checkpoint,
                  const Record& record) {
-  const bool finished = checkpoint.progress.phase == solve::StagePhase::finished;
-  const auto found = scene::differences(fingerprint_of(data), record.fingerprint(), checkpoint.stage, finished);
+  const bool finished = checkpoint.stage.progress.phase == solve::StagePhase::finished;
+  const auto found = scene::differences(fingerprint_of(data), record.fingerprint(), checkpoint.stage.index, finished);
   if (!found.empty()) refuse_differences(file, found);
 }
 

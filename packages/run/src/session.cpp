@@ -76,7 +76,7 @@ void Session::resume(const std::string& restart_file) {
   alike([&] {
     read_restart(restart_file, record_);
     const solve::Checkpoint& checkpoint = record_.checkpoint();
-    log_.info("Going on after step " + std::to_string(record_.last().step) + ", of stage \"" + checkpoint.stage_name +
+    log_.info("Going on after step " + std::to_string(record_.last().step) + ", of stage \"" + checkpoint.stage.name +
               "\", from " + restart_file);
   });
   resumed_ = true;

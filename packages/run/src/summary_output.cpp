@@ -98,12 +98,13 @@ std::string text_of(const Record& record, const base::Timer& timer) {
       << vector_text(report.balance.damping, report.balance.magnitude) << "\n    held against null motions "
       << vector_text(report.balance.pins, report.balance.magnitude) << "\n    sum over magnitudes: " << f.force_balance
       << "\n";
-  out << "  strain energy: " << report.strain_energy << " N mm, dissipated by damping: " << report.dissipated
+  out << "  strain energy: " << report.energy.strain << " N mm, dissipated by damping: " << report.energy.dissipated
       << " N mm (ratio " << f.dissipation_ratio << ")\n";
-  if (report.stabilisation_energy != 0.0)
+  if (report.energy.stabilisation != 0.0)
     out << "  of it in hourglass modes of reduced shells: "
-        << 100.0 * report.stabilisation_energy / report.strain_energy << " %\n";
-  out << "  equilibrium: relative residual " << report.residual << ", " << stability(report.negative_pivots) << "\n";
+        << 100.0 * report.energy.stabilisation / report.energy.strain << " %\n";
+  out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots)
+      << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";

@@ -83,12 +83,14 @@ bool is_too_far(const MovedNode& moved) {
 std::string text(const Scene& scene, const MovedNode& moved) {
   const garment::Garment& garment = scene.garment();
   const std::string& axis = moved.direction;
+  const bool has_body = scene.surface() != nullptr;
   return "contradicts the seam \"" + seam_of(garment, moved.node).name + "\": the support \"" +
          scene.problem().supports[moved.support].name + "\" holds the node at " +
          place_text(garment.mesh.placed[moved.node]) + " in " + axis + ", and the seam moves it by " +
          short_number(moved.way) + " mm in " + axis + ", to the one at " +
          place_text(garment.mesh.placed[moved.master]) + ". A sewn node cannot stay in two places: do not hold " +
-         axis + " there, hold nodes beside the seam, or place the panels so that the sewn nodes meet in " + axis;
+         axis + " there" + (has_body ? " (an end that must not slide is held by \"hold\" = \"along the limb\")" : "") +
+         ", hold nodes beside the seam, or place the panels so that the sewn nodes meet in " + axis;
 }
 
 }  // namespace

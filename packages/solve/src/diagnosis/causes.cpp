@@ -1,5 +1,6 @@
 // Why a stage fails, as far as the state that it failed in tells.
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -107,6 +108,14 @@ Push push_of(const Failure& failure, const std::vector<int>& part, const std::ve
   return push;
 }
 
+/// Diagonal of the box around the part as it is placed, mm.
+double part_size(const Problem& problem, const std::vector<int>& part) {
+  Eigen::AlignedBox3d box;
+  for (const int c : part)
+    for (const int n : problem.clusters[c]) box.extend(problem.mesh->placed[n]);
+  return box.diagonal().norm();
+}
+
 std::vector<Vec3> loads_of(const Problem& problem, double load) {
   std::vector<Vec3> of_node(problem.mesh->placed.size(), Vec3::Zero()), all;
   for (const NodalLoad& force : problem.loads)
@@ -136,38 +145,6 @@ std::string is_loose(const Failure& failure) {
   return text +
          ". So it presses nowhere, and membranes without tension have no shape of their own. Make the pattern "
          "narrower, or give the fabric \"compression\" = \"tension field\", which carries no compression";
-}
-
-/// Body and loads push a part where no support holds it: there is no equilibrium.
-std::string slides(const Failure& failure) {
-  constexpr double noticeable = 0.01, along_the_body = 0.1, unbalanced = 0.01;
-  const Problem& problem = failure.problem;
-  if (problem.surface == nullptr || !problem.pressures.empty() || !failure.left.finite) return {};
-  // Forces that do not balance yet, or that a strong damping takes up, say nothing about what pushes the garment.
-  if (!failure.stepped && failure.left.total.relative() > unbalanced) return {};
-  if (!failure.stepped && failure.relaxing && failure.left.damping > 0.0) return {};
-  const State& state = failure.stepped ? failure.last : failure.left.state;
-  const std::vector<Vec3> loads = loads_of(problem, state.load);
-  for (const std::vector<int>& part : connected_parts(problem)) {
-    const Push push = push_of(failure, part, loads);
-    const double size = push.force.norm();
-    if (size <= noticeable * push.magnitude || size == 0.0) continue;
-    if (push.facing >= along_the_body && !is_loose(failure).empty()) continue;  // slack fabric presses by round-off
-    const Vec3 direction = push.force / size;
-    const double moved = push.moved.dot(direction);
-    std::string text = panels_of(problem, part) +
-                       (push.facing < along_the_body ? ": it slides along the body" : ": it is pushed off the body") +
-                       ", in the direction " + direction_text(direction);
-    if (moved > 1.0) text += ", by " + number_text(moved) + " mm in this stage";
-    text += ": the body pushes it there with " + number_text(size) + " N";
-    if (push.facing < along_the_body)
-      return text +
-             ", there is no friction, and no support holds it. Hold an end of it along the limb (list \"Supports\")";
-    return text +
-           ", and neither a support nor fabric on the other side of the body holds it. Close it around the body by "
-           "seams (is one missing?), or hold it by a support";
-  }
-  return {};
 }
 
 /// Without a body a flat membrane without tension can be moved across itself by nothing.
@@ -258,8 +235,41 @@ std::string nothing_known(const Failure& failure) {
 
 }  // namespace
 
+std::string unheld_motion(const Failure& failure) {
+  constexpr double noticeable = 0.01, along_the_body = 0.1, unbalanced = 0.01, far = 0.25;
+  const Problem& problem = failure.problem;
+  if (problem.surface == nullptr || !problem.pressures.empty() || !failure.left.finite) return {};
+  // Forces that do not balance yet, or that a strong damping takes up, say nothing about what pushes the garment: only
+  // how far it went does.
+  const bool fading = failure.relaxing && failure.left.damping > 0.0;
+  if (!failure.stepped && !fading && failure.left.total.relative() > unbalanced) return {};
+  const State& state = failure.stepped ? failure.last : failure.left.state;
+  const std::vector<Vec3> loads = loads_of(problem, state.load);
+  for (const std::vector<int>& part : connected_parts(problem)) {
+    const Push push = push_of(failure, part, loads);
+    const double size = push.force.norm();
+    if (size <= noticeable * push.magnitude || size == 0.0) continue;
+    if (push.facing >= along_the_body && !is_loose(failure).empty()) continue;  // slack fabric presses by round-off
+    const Vec3 direction = push.force / size;
+    const double moved = push.moved.dot(direction);
+    if (!failure.stepped && fading && moved < far * part_size(problem, part)) continue;
+    std::string text = panels_of(problem, part) +
+                       (push.facing < along_the_body ? ": it slides along the body" : ": it is pushed off the body") +
+                       ", in the direction " + direction_text(direction);
+    if (moved > 1.0) text += ", by " + number_text(moved) + " mm in this stage";
+    text += ": the body pushes it there with " + number_text(size) + " N";
+    if (push.facing < along_the_body)
+      return text +
+             ", there is no friction, and no support holds it. Hold an end of it along the limb (list \"Supports\")";
+    return text +
+           ", and neither a support nor fabric on the other side of the body holds it. Close it around the body by "
+           "seams (is one missing?), or hold it by a support";
+  }
+  return {};
+}
+
 const std::vector<Cause>& causes() {
-  static const std::vector<Cause> all = {reaches_the_floor, seam_through_body, starts_too_stretched, slides,
+  static const std::vector<Cause> all = {reaches_the_floor, seam_through_body, starts_too_stretched, unheld_motion,
                                          is_loose,          has_no_tension,    loses_ellipticity,    still_converging,
                                          reaches_a_limit,   nothing_known};
   return all;

@@ -62,12 +62,36 @@ std::string gap_text(const Failure& failure) {
          ".";
 }
 
+std::string softest_text(const Failure& failure) {
+  const SoftestMotion& softest = failure.left.softest;
+  if (!softest.is_soft()) return {};
+  std::string text = " Nothing resists there";
+  if (softest.gives_way())
+    text = " The garment gives way there by";
+  else if (!softest.is_free())
+    text = " Little resists there (" + number_text(softest.stiffness) + " of the mean stiffness)";
+  return text + " a motion that is largest at " + node_text(failure.problem, failure.left.state, softest.cluster) +
+         ", along " + direction_text(softest.direction) + ".";
+}
+
 }  // namespace
 
 std::string what_failed(const Failure& failure) {
   std::string text = attempt_text(failure) + " " + end_text(failure) + ".";
   if (!failure.left.finite) return text + energy_text(failure);
-  return text + force_text(failure) + gap_text(failure);
+  return text + force_text(failure) + gap_text(failure) + softest_text(failure);
+}
+
+std::string farthest_motion(const Failure& failure) {
+  constexpr double noticeable = 1.0;  // mm
+  if (!failure.left.finite) return {};
+  const auto way = [&](size_t c) -> Vec3 { return failure.left.state.position[c] - failure.start.position[c]; };
+  const size_t farthest = largest(failure.left.force.size(), [&](size_t c) { return way(c).norm(); });
+  const double length = way(farthest).norm();
+  if (length < noticeable) return {};
+  return "it was still moving, farthest at " + node_text(failure.problem, failure.left.state, farthest) + ", by " +
+         number_text(length) + " mm in the direction " + direction_text(way(farthest) / length) +
+         " since the start of the stage: look whether anything holds it there";
 }
 
 std::string likely_cause(const Failure& failure) {

@@ -14,7 +14,7 @@ constexpr size_t left_per_cluster = 4;  // force and opening
 std::vector<double> local_values(const Layout& layout, const Vector& f, size_t clusters) {
   std::vector<double> mine(left_per_cluster * clusters, 0.0);
   const auto data = f.getData();
-  const size_t first = layout.dof_map->getNodeNumElements();
+  const size_t first = layout.maps.dof->getNodeNumElements();
   for (int c = 0; c < layout.owned_clusters; ++c) {
     double* at = &mine[left_per_cluster * static_cast<size_t>(layout.clusters[c])];
     for (size_t d = 0; d < 3; ++d)

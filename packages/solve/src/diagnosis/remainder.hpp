@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "path/continuation.hpp"
+#include "diagnosis/softest_motion.hpp"
 
 namespace toile::solve {
 
@@ -17,6 +17,7 @@ struct Remainder {
   bool factorised = true;        ///< the last tangent could be factorised
   bool finite = true;            ///< residual and gap are numbers
   std::vector<double> residual;  ///< [iteration] relative force residual on the way
+  SoftestMotion softest;         ///< there, if it was looked for
   State state;                   ///< where the attempt gave up
 };
 

@@ -16,7 +16,7 @@ ContactProjection::ContactProjection(const Layout& layout, const Graph& graph)
 }
 
 void ContactProjection::set(const std::vector<Vec3>& normals) {
-  Vector owned(layout_.dof_map), overlap(layout_.overlap_map);
+  Vector owned(layout_.maps.dof), overlap(layout_.maps.overlap);
   {
     auto data = owned.getDataNonConst();
     for (int c = 0; c < layout_.owned_clusters; ++c) {
@@ -29,7 +29,7 @@ void ContactProjection::set(const std::vector<Vec3>& normals) {
         if (layout_.dof[c][i] >= 0) data[layout_.dof[c][i]] = free[i] / length;
     }
   }
-  overlap.doImport(owned, *layout_.importer, Tpetra::INSERT);
+  overlap.doImport(owned, *layout_.maps.importer, Tpetra::INSERT);
   const auto data = overlap.getData();
   for (size_t c = 0; c < layout_.clusters.size(); ++c) {
     for (int i = 0; i < 3; ++i) normal_[c][i] = layout_.dof[c][i] >= 0 ? data[layout_.dof[c][i]] : 0.0;

@@ -96,7 +96,7 @@ Evaluation Equilibrium::residual(const Vector& z, double s, Vector& f) {
       for (size_t k = 0; k < 2 && layout_.node_cluster[n] < layout_.owned_clusters; ++k)
         if (layout_.rotation[n][k] >= 0) out[layout_.rotation[n][k]] = forces.moment[2 * n + k];
     std::copy(forces.gap.begin(), forces.gap.end(),
-              out.begin() + static_cast<std::ptrdiff_t>(layout_.dof_map->getNodeNumElements()));
+              out.begin() + static_cast<std::ptrdiff_t>(layout_.maps.dof->getNodeNumElements()));
   }
   return evaluation(forces, f);
 }
@@ -172,9 +172,9 @@ bool Equilibrium::retract(Vector& z, double s) const {
 }
 
 double Equilibrium::slope_along_surface(const Vector& f, const Vector& dz) const {
-  Vector along(*dz.offsetView(layout_.dof_map, 0)->getVector(0), Teuchos::Copy);
+  Vector along(*dz.offsetView(layout_.maps.dof, 0)->getVector(0), Teuchos::Copy);
   if (contact_) contact_->projection().project(along);
-  return f.offsetView(layout_.dof_map, 0)->getVector(0)->dot(along);
+  return f.offsetView(layout_.maps.dof, 0)->getVector(0)->dot(along);
 }
 
 void Equilibrium::end_step(const Vector& z, double s) {

@@ -32,7 +32,7 @@ class Equilibrium {
   Equilibrium& operator=(const Equilibrium&) = delete;
   ~Equilibrium();
 
-  const RCP<const Map>& map() const { return layout_.state_map; }
+  const RCP<const Map>& map() const { return layout_.maps.state; }
   const Layout& layout() const { return layout_; }
   RCP<Vector> start_vector() const;
   int global_contact_nodes() const;
@@ -65,7 +65,7 @@ class Equilibrium {
   double slope_along_surface(const Vector& f, const Vector& dz) const;
 
   /// Norm of a difference of states without the multipliers: mm, and radians of shells.
-  double distance(const Vector& dz) const { return dz.offsetView(layout_.dof_map, 0)->norm2(); }
+  double distance(const Vector& dz) const { return dz.offsetView(layout_.maps.dof, 0)->norm2(); }
   State state(const Vector& z, double s) const;
   ForceBalance balance(const Vector& z, double s);
   /// The part of the strain energy at (z, s) that only stabilises reduced elements, N mm. Collective.

@@ -45,7 +45,7 @@ RCP<Vector> Equilibrium::start_vector() const {
 }
 
 int Equilibrium::global_contact_nodes() const {
-  return static_cast<int>(layout_.state_map->getGlobalNumElements() - layout_.dof_map->getGlobalNumElements());
+  return static_cast<int>(layout_.maps.state->getGlobalNumElements() - layout_.maps.dof->getGlobalNumElements());
 }
 
 Unknowns Equilibrium::gather(const Vector& z) const {

@@ -26,9 +26,9 @@ Vec3 Kinematics::position(int c, const double* unknowns, double s) const {
 }
 
 Configuration Kinematics::at(const Vector& z, double s) const {
-  const RCP<const Vector> owned = z.offsetView(layout_.dof_map, 0)->getVector(0);
-  Vector overlap(layout_.overlap_map);
-  overlap.doImport(*owned, *layout_.importer, Tpetra::INSERT);
+  const RCP<const Vector> owned = z.offsetView(layout_.maps.dof, 0)->getVector(0);
+  Vector overlap(layout_.maps.overlap);
+  overlap.doImport(*owned, *layout_.maps.importer, Tpetra::INSERT);
   const auto data = overlap.getData();
   Configuration at;
   at.s = s;
@@ -56,7 +56,7 @@ Configuration Kinematics::at(const Vector& z, double s) const {
     }
   }
   const auto all = z.getData();
-  const size_t first = layout_.dof_map->getNodeNumElements();
+  const size_t first = layout_.maps.dof->getNodeNumElements();
   at.multiplier.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   return at;
 }

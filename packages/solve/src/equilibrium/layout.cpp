@@ -22,8 +22,8 @@ Layout::Layout(const Problem& problem, const Held& all, RCP<const Comm> communic
   find_local(problem);
   number(problem, all);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const size_t local = dof_map->getNodeNumElements() + (contact ? static_cast<size_t>(owned_clusters) : 0);
-  state_map = rcp(new Map(unknown, local, 0, comm));
+  const size_t local = maps.dof->getNodeNumElements() + (contact ? static_cast<size_t>(owned_clusters) : 0);
+  maps.state = rcp(new Map(unknown, local, 0, comm));
 }
 
 void Layout::find_local(const Problem& problem) {
@@ -125,9 +125,9 @@ void Layout::number(const Problem& problem, const Held& all) {
   }
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   const Teuchos::ArrayView<const GlobalId> view(columns);
-  dof_map = rcp(new Map(unknown, view(0, owned), 0, comm));
-  overlap_map = rcp(new Map(unknown, view, 0, comm));
-  importer = rcp(new Import(dof_map, overlap_map));
+  maps.dof = rcp(new Map(unknown, view(0, owned), 0, comm));
+  maps.overlap = rcp(new Map(unknown, view, 0, comm));
+  maps.importer = rcp(new Import(maps.dof, maps.overlap));
 }
 
 void Layout::element_unknowns(const BlockPart& part, size_t element, bool with_rotations,
@@ -158,7 +158,7 @@ Vec3 Layout::direction(LocalCluster cluster, Eigen::Index component) const {
 }
 
 RCP<const Graph> make_graph(const Layout& layout) {
-  const size_t rows = layout.dof_map->getNodeNumElements();
+  const size_t rows = layout.maps.dof->getNodeNumElements();
   std::vector<std::set<LocalId>> columns(rows);
   std::vector<LocalId> ids;
   for (const Layout::BlockPart& part : layout.blocks)
@@ -172,8 +172,8 @@ RCP<const Graph> make_graph(const Layout& layout) {
   for (size_t r = 0; r < rows; ++r) offsets[r + 1] = offsets[r] + columns[r].size();
   Teuchos::ArrayRCP<LocalId> indices(offsets[rows]);
   for (size_t r = 0; r < rows; ++r) std::copy(columns[r].begin(), columns[r].end(), indices.begin() + offsets[r]);
-  RCP<Graph> graph = rcp(new Graph(layout.dof_map, layout.overlap_map, offsets, indices));
-  graph->fillComplete(layout.dof_map, layout.dof_map);
+  RCP<Graph> graph = rcp(new Graph(layout.maps.dof, layout.maps.overlap, offsets, indices));
+  graph->fillComplete(layout.maps.dof, layout.maps.dof);
   return graph;
 }
 

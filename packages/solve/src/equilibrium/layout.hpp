@@ -13,8 +13,8 @@ namespace toile::solve {
 /// A rank evaluates every element that touches a cluster of its own, so rows are complete without an export of matrix
 /// entries; an element counts in sums only on the rank that owns it.
 /// Local order: owned clusters first, then ghosts. Unknowns are the free components of the clusters' positions and,
-/// after those of its cluster, the free rotations of each node of a shell (`dof_map`, `overlap_map`); with a body,
-/// `state_map` appends one contact multiplier per owned cluster.
+/// after those of its cluster, the free rotations of each node of a shell (`maps.dof`, `maps.overlap`); with a body,
+/// `maps.state` appends one contact multiplier per owned cluster.
 class Layout {
  public:
   struct BlockPart {
@@ -23,6 +23,12 @@ class Layout {
     std::vector<int> elements;     ///< ids in the block, ascending
     std::vector<char> owned;       ///< [local element]
     std::vector<LocalNode> nodes;  ///< [local element][node]
+  };
+
+  /// Of the unknowns over the ranks.
+  struct Maps {
+    RCP<const Map> dof, overlap, state;
+    RCP<const Import> importer;  ///< dof -> overlap
   };
 
   Layout(const Problem& problem, const Held& held, RCP<const Comm> comm);
@@ -53,8 +59,7 @@ class Layout {
   std::vector<std::array<LocalId, 2>> rotation;  ///< [local node] local dof or -1; empty without shells
   std::vector<int> turned_by;                    ///< [local node] as in Held
   bool contact = false;                          ///< there is a body
-  RCP<const Map> dof_map, overlap_map, state_map;
-  RCP<const Import> importer;  ///< dof_map -> overlap_map
+  Maps maps;
 
  private:
   bool shells_ = false;

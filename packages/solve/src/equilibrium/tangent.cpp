@@ -51,8 +51,8 @@ Tangent::Tangent(const Layout& layout, const RCP<const Graph>& graph, const Diag
       matrix_(rcp(new Matrix(graph))),
       projected_(contact != nullptr ? rcp(new Matrix(graph)) : matrix_),
       linear_(make_linear_solver(projected_, options, std::move(linear))) {
-  matrix_->fillComplete(layout.dof_map, layout.dof_map);
-  if (contact != nullptr) projected_->fillComplete(layout.dof_map, layout.dof_map);
+  matrix_->fillComplete(layout.maps.dof, layout.maps.dof);
+  if (contact != nullptr) projected_->fillComplete(layout.maps.dof, layout.maps.dof);
 }
 
 void Tangent::set_measures(const Measures& measures, double augmentation) {
@@ -102,14 +102,14 @@ void Tangent::factorise_positive() {
 }
 
 bool Tangent::solve(const Vector& b, Vector& dz) {
-  const RCP<const Vector> b_x = b.offsetView(layout_.dof_map, 0)->getVector(0);
-  const RCP<Vector> dx = dz.offsetViewNonConst(layout_.dof_map, 0)->getVectorNonConst(0);
-  const size_t first = layout_.dof_map->getNodeNumElements();
+  const RCP<const Vector> b_x = b.offsetView(layout_.maps.dof, 0)->getVector(0);
+  const RCP<Vector> dx = dz.offsetViewNonConst(layout_.maps.dof, 0)->getVectorNonConst(0);
+  const size_t first = layout_.maps.dof->getNodeNumElements();
   const auto right = b.getData();
   const double k = std::abs(measures_.stiffness);
 
   // dx = d + P w with d the prescribed normal steps: P K P w = P (b - K d).
-  Vector normal_step(layout_.dof_map), rhs(*b_x, Teuchos::Copy);
+  Vector normal_step(layout_.maps.dof), rhs(*b_x, Teuchos::Copy);
   for (size_t i = 0; i < conditions(); ++i) {
     const int c = static_cast<int>(i);
     if (contact_->active(c)) contact_->add(normal_step, c, right[first + i] / contact_->free_part(c));
@@ -128,7 +128,7 @@ bool Tangent::solve(const Vector& b, Vector& dz) {
     if (!linear_->solve(rhs, *dx)) return false;
   }
   if (contact_ == nullptr) return true;
-  Vector force(layout_.dof_map);
+  Vector force(layout_.maps.dof);
   matrix_->apply(*dx, force);
   force.update(-1.0, *b_x, 1.0);
   const auto step = dz.getDataNonConst();
@@ -140,12 +140,18 @@ bool Tangent::solve(const Vector& b, Vector& dz) {
   return true;
 }
 
+double Tangent::stiffness_along(const Vector& x) const {
+  Vector force(layout_.maps.dof);
+  matrix_->apply(x, force);
+  return x.dot(force) / x.dot(x);
+}
+
 void Tangent::apply(const Vector& x, Vector& y) const {
-  const RCP<const Vector> dx = x.offsetView(layout_.dof_map, 0)->getVector(0);
-  const RCP<Vector> f = y.offsetViewNonConst(layout_.dof_map, 0)->getVectorNonConst(0);
+  const RCP<const Vector> dx = x.offsetView(layout_.maps.dof, 0)->getVector(0);
+  const RCP<Vector> f = y.offsetViewNonConst(layout_.maps.dof, 0)->getVectorNonConst(0);
   matrix_->apply(*dx, *f);
   const auto step = x.getData();
-  const size_t first = layout_.dof_map->getNodeNumElements();
+  const size_t first = layout_.maps.dof->getNodeNumElements();
   for (size_t i = 0; i < conditions(); ++i) {
     const int c = static_cast<int>(i);
     double condition = step[first + i] / augmentation_;

@@ -50,6 +50,12 @@ class Tangent {
   /// y = tangent times x, contact conditions included.
   void apply(const Vector& x, Vector& y) const;
 
+  /// The direction of the unknowns without multipliers in which the last one resists least, also where it had to be
+  /// shifted; null: the linear solver does not find it. |x| = 1. Collective.
+  RCP<Vector> softest() { return linear_->softest(); }
+  /// x.Kx / x.x of the last one before any shift, N/mm. Collective.
+  double stiffness_along(const Vector& x) const;
+
   /// The next one is factorised afresh.
   void renew() { want_fresh_ = true; }
   /// Off where unstable equilibria are wanted: then it is taken as it is, factorised afresh every time.

@@ -11,7 +11,7 @@ constexpr size_t per_cluster = 4;  // components of the position, multiplier
 /// Calls use(unknown of this rank, its place among all values) for each unknown of owned clusters.
 template <class Use>
 void for_each_unknown(const Layout& layout, const Problem& problem, const Use& use) {
-  const size_t first = layout.dof_map->getNodeNumElements(), rotations = per_cluster * problem.clusters.size();
+  const size_t first = layout.maps.dof->getNodeNumElements(), rotations = per_cluster * problem.clusters.size();
   for (int c = 0; c < layout.owned_clusters; ++c) {
     const size_t place = per_cluster * static_cast<size_t>(layout.clusters[c]);
     for (size_t i = 0; i < 3; ++i)
@@ -29,9 +29,9 @@ void for_each_unknown(const Layout& layout, const Problem& problem, const Use& u
 }  // namespace
 
 RCP<Vector> vector_of(const Layout& layout, const State& state) {
-  const RCP<Vector> z = rcp(new Vector(layout.state_map));
+  const RCP<Vector> z = rcp(new Vector(layout.maps.state));
   auto data = z->getDataNonConst();
-  const size_t first = layout.dof_map->getNodeNumElements();
+  const size_t first = layout.maps.dof->getNodeNumElements();
   for (int c = 0; c < layout.owned_clusters; ++c) {
     const Vec3 components = layout.components(c, state.position[layout.clusters[c]]);
     for (int i = 0; i < 3; ++i)
@@ -57,7 +57,7 @@ Unknowns gather(const Layout& layout, const Problem& problem, const Vector& z) {
 
 RCP<Vector> scatter(const Layout& layout, const Problem& problem, const Unknowns& all) {
   if (all.empty()) return Teuchos::null;
-  const RCP<Vector> z = rcp(new Vector(layout.state_map));
+  const RCP<Vector> z = rcp(new Vector(layout.maps.state));
   auto data = z->getDataNonConst();
   for_each_unknown(layout, problem,
                    [&](size_t own, size_t place) { data[static_cast<std::ptrdiff_t>(own)] = all[place]; });

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "linear/inverse_iterations.hpp"
+
 namespace toile::solve {
 
 FactorisedSolver::FactorisedSolver(RCP<const Matrix> matrix) : matrix_(std::move(matrix)), factorisation_(*matrix_) {}
@@ -20,6 +22,10 @@ void FactorisedSolver::update(bool fresh) {
   usable_ = factorisation_.factorise(*matrix_);
   fresh_ = usable_;
   ++factorisations_;
+}
+
+RCP<Vector> FactorisedSolver::softest() {
+  return inverse_iterations(matrix_->getRowMap(), [this](const Vector& b, Vector& x) { return back_substitute(b, x); });
 }
 
 bool FactorisedSolver::back_substitute(const Vector& b, Vector& x) const {

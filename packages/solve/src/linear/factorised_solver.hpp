@@ -15,6 +15,7 @@ class FactorisedSolver : public LinearSolver {
   bool is_fresh() const override { return fresh_; }
   bool failed() const override { return factorisations_ > 0 && !usable_; }
   std::optional<int> negative_pivots() const override { return factorisation_.negative_pivots(); }
+  RCP<Vector> softest() override;
   int factorisations() const override { return factorisations_; }
 
  protected:

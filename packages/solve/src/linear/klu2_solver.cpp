@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "linear/inverse_iterations.hpp"
 #include "linear/linear_solver.hpp"
 
 namespace toile::solve {
@@ -10,7 +11,8 @@ namespace {
 /// LU of every tangent, gathered on one rank. It knows nothing of the inertia.
 class Klu2Solver : public LinearSolver {
  public:
-  explicit Klu2Solver(const RCP<const Matrix>& matrix) : solver_(Amesos2::create<Matrix, MultiVector>("KLU2", matrix)) {
+  explicit Klu2Solver(const RCP<const Matrix>& matrix)
+      : map_(matrix->getRowMap()), solver_(Amesos2::create<Matrix, MultiVector>("KLU2", matrix)) {
     solver_->symbolicFactorization();
   }
 
@@ -33,9 +35,13 @@ class Klu2Solver : public LinearSolver {
   }
   bool is_fresh() const override { return usable_; }
   bool failed() const override { return factorisations_ > 0 && !usable_; }
+  RCP<Vector> softest() override {
+    return inverse_iterations(map_, [this](const Vector& b, Vector& x) { return solve(b, x); });
+  }
   int factorisations() const override { return factorisations_; }
 
  private:
+  RCP<const Map> map_;
   RCP<Amesos2::Solver<Matrix, MultiVector>> solver_;
   int factorisations_ = 0;
   bool usable_ = false;

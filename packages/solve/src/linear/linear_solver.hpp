@@ -31,6 +31,10 @@ class LinearSolver {
   /// Of the values at the last fresh update; none: this kind does not tell the inertia.
   virtual std::optional<int> negative_pivots() const { return std::nullopt; }
 
+  /// The unit vector x with the smallest |x.Ax| for the values of the last fresh update: of a singular matrix, one of
+  /// its null space. Null: this kind does not find it, or nothing is left to solve with. Collective.
+  virtual RCP<Vector> softest() { return Teuchos::null; }
+
   virtual int iterations() const { return 0; }      ///< so far
   virtual int factorisations() const { return 0; }  ///< so far
 };

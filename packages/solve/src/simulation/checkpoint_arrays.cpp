@@ -240,10 +240,19 @@ void each_value(ForceBalance& b, const Use& use) {
 
 template <class Use>
 void each_value(StepReport& r, const Use& use) {
-  for (double* value : {&r.parameter, &r.load, &r.seam, &r.residual, &r.undamped_residual, &r.gap, &r.strain_energy,
-                        &r.stabilisation_energy, &r.dissipated, &r.dissipation_ratio, &r.seconds})
+  for (double* value :
+       {&r.parameter, &r.load, &r.seam, &r.accuracy.residual, &r.accuracy.undamped_residual, &r.accuracy.gap,
+        &r.energy.strain, &r.energy.stabilisation, &r.energy.dissipated, &r.energy.dissipation_ratio, &r.seconds})
     use(*value);
   each_value(r.balance, use);
+}
+
+template <class Use>
+void each_whole_number(StepReport& r, const Use& use) {
+  for (int* value : {&r.step, &r.iterations, &r.cut_backs, &r.negative_pivots}) use(*value);
+  use(r.critical);
+  use(r.extrapolated);
+  use(r.undamped);
 }
 
 /// An array for all values, step by step.
@@ -254,60 +263,53 @@ void step_reports(Archive& a, std::vector<StepReport>& reports) {
   int supports = reports.empty() ? 0 : static_cast<int>(reports.front().balance.support.size());
   for (StepReport& r : reports) {
     stages.push_back(r.stage);
-    whole.insert(whole.end(), {r.step, r.iterations, r.cut_backs, r.negative_pivots, static_cast<int>(r.critical),
-                               r.extrapolated, r.undamped ? 1 : 0});
-    each_value(r, [&](double& value) { reals.push_back(value); });
+    each_whole_number(r, [&](auto value) { whole.push_back(static_cast<int>(value)); });
+    each_value(r, [&](double value) { reals.push_back(value); });
   }
   a("reports: supports", supports);
   a("reports: stages", stages);
   a("reports: whole numbers", whole);
   a("reports: reals", reals);
   if (!a.reads()) return;
+  const auto next = [&a](const auto& values, size_t& place) {
+    if (place == values.size()) a.fail("reports");
+    return values[place++];
+  };
+  size_t integer = 0, real = 0;
   reports.assign(stages.size(), {});
-  auto integer = whole.begin();
-  auto real = reals.begin();
   for (size_t i = 0; i < stages.size(); ++i) {
     StepReport& r = reports[i];
     r.stage = stages[i];
     r.balance.support.resize(static_cast<size_t>(supports));
     r.balance.torque.resize(static_cast<size_t>(supports));
-    if (whole.end() - integer < 7) a.fail("reports");
-    r.step = *integer++;
-    r.iterations = *integer++;
-    r.cut_backs = *integer++;
-    r.negative_pivots = *integer++;
-    r.critical = static_cast<CriticalPoint>(*integer++);
-    r.extrapolated = *integer++;
-    r.undamped = *integer++ != 0;
-    each_value(r, [&](double& value) {
-      if (real == reals.end()) a.fail("reports");
-      value = *real++;
-    });
+    each_whole_number(r,
+                      [&](auto& value) { value = static_cast<std::decay_t<decltype(value)>>(next(whole, integer)); });
+    each_value(r, [&](double& value) { value = next(reals, real); });
   }
 }
 
 void members(Archive& a, Checkpoint& v) {
-  a("stage", v.stage);
-  a("stage name", v.stage_name);
-  a.inner("progress", v.progress);
+  a("stage", v.stage.index);
+  a("stage name", v.stage.name);
+  a("stage iterations", v.stage.iterations);
+  a.inner("progress", v.stage.progress);
   a.inner("state", v.state);
   a.list("pin", v.pins);
   a("released", v.released);
   a.inner("equilibrium", v.equilibrium);
   a.inner("path", v.path);
-  a.maybe("path watch", v.path_watch);
-  a.maybe("arc watch", v.arc_watch);
-  a.maybe("damped watch", v.damped_watch);
+  a.maybe("path watch", v.watches.path);
+  a.maybe("arc watch", v.watches.arc);
+  a.maybe("damped watch", v.watches.damped);
   a.maybe("target", v.target);
   a.inner("pivots", v.pivots);
   a.inner("energies", v.energies);
-  a("stage iterations", v.stage_iterations);
   a("seconds", v.seconds);
   a.inner("statistics", v.statistics);
-  a("notes", v.notes);
+  a("notes", v.notes.all);
   a("warnings", v.warnings);
-  a("first pin note", v.first_pin_note);
-  a("pin notes", v.pin_notes);
+  a("first pin note", v.notes.first_pin);
+  a("pin notes", v.notes.pins);
   step_reports(a, v.reports);
 }
 
@@ -319,16 +321,16 @@ bool is_consistent(const Checkpoint& c) {
   };
   const size_t clusters = c.state.position.size(), nodes = c.state.frame.size();
   if (!fits(c.state, clusters, nodes)) return false;
-  if (c.progress.phase == StagePhase::finished) return true;
+  if (c.stage.progress.phase == StagePhase::finished) return true;
   const EquilibriumMemory& e = c.equilibrium;
   const size_t all = 4 * clusters + 2 * nodes;
   const auto is_vector = [all](const Unknowns& v) { return v.empty() || v.size() == all; };
   bool vectors = e.z.size() == all && c.pivots.z.size() == all && is_vector(c.path.change);
-  for (const auto* watch : {&c.path_watch, &c.arc_watch})
+  for (const auto* watch : {&c.watches.path, &c.watches.arc})
     if (*watch)
       vectors = vectors && is_vector((*watch)->start) && is_vector((*watch)->last) && is_vector((*watch)->change);
   if (c.target) vectors = vectors && is_vector(c.target->before) && is_vector(c.target->after);
-  return vectors && fits(c.progress.start, clusters, nodes) && e.offset.size() == e.normal.size() &&
+  return vectors && fits(c.stage.progress.start, clusters, nodes) && e.offset.size() == e.normal.size() &&
          (e.normal.empty() || e.normal.size() == clusters) && e.contact_history.size() % clusters == 0 &&
          e.frame.size() == nodes && e.rotation.size() == 2 * nodes;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "toile/solve/checkpoint.hpp"
+
 namespace toile::solve {
 
 /// What a run notes, in the order of its stages: of each stage first the motions that it holds, which may be others at
@@ -23,13 +25,11 @@ class Notes {
   void add(const std::string& note) { all_.push_back(note); }
   const std::vector<std::string>& all() const { return all_; }
 
-  /// The stage's pins: how many notes are before them, and how many they are.
-  int first_pin() const { return static_cast<int>(first_pin_); }
-  int pins() const { return static_cast<int>(pins_); }
-  void resume(const std::vector<std::string>& all, int first_pin, int pins) {
-    all_ = all;
-    first_pin_ = static_cast<std::size_t>(first_pin);
-    pins_ = static_cast<std::size_t>(pins);
+  NoteMemory memory() const { return {all_, static_cast<int>(first_pin_), static_cast<int>(pins_)}; }
+  void resume(const NoteMemory& memory) {
+    all_ = memory.all;
+    first_pin_ = static_cast<std::size_t>(memory.first_pin);
+    pins_ = static_cast<std::size_t>(memory.pins);
   }
 
  private:

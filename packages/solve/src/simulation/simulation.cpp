@@ -43,7 +43,7 @@ Checkpoint Simulation::checkpoint() const {
   return data_->checkpoint();
 }
 int Simulation::stages_behind() const {
-  return data_->stages_behind;
+  return data_->stages.behind;
 }
 const State& Simulation::state() const {
   return data_->state;
@@ -135,21 +135,21 @@ StepReport Simulation::Data::accept(double s, const Evaluation& evaluation, bool
   report.seam = state.seam;
   report.iterations = tries.iterations;
   report.cut_backs = tries.cut_backs;
-  report.residual = evaluation.imbalance.relative();
-  report.undamped_residual =
-      equilibrium->damping() > 0.0 ? undamped_residual(*equilibrium, *z, s) : evaluation.imbalance.relative();
-  report.gap = evaluation.imbalance.gap;
-  report.strain_energy = evaluation.strain_energy;
-  report.stabilisation_energy = equilibrium->stabilisation_energy(*z, s);
-  energies.largest = std::max(energies.largest, report.strain_energy);
-  if (report.stabilisation_energy > progress.stabilised * report.strain_energy && report.strain_energy > 0.0) {
-    progress.stabilised = report.stabilisation_energy / report.strain_energy;
+  const double residual = evaluation.imbalance.relative();
+  const bool damped = equilibrium->damping() > 0.0;
+  report.accuracy = {residual, damped ? undamped_residual(*equilibrium, *z, s) : residual, evaluation.imbalance.gap};
+  StepEnergy& energy = report.energy;
+  energy.strain = evaluation.strain_energy;
+  energy.stabilisation = equilibrium->stabilisation_energy(*z, s);
+  energies.largest = std::max(energies.largest, energy.strain);
+  if (energy.stabilisation > progress.stabilised * energy.strain && energy.strain > 0.0) {
+    progress.stabilised = energy.stabilisation / energy.strain;
     progress.stabilised_at = report.load;
   }
-  const double now = equilibrium->damping() > 0.0 ? equilibrium->dissipation(*z, s) : 0.0;
+  const double now = damped ? equilibrium->dissipation(*z, s) : 0.0;
   energies.dissipated += now;
-  report.dissipated = energies.dissipated;
-  report.dissipation_ratio = energies.largest > 0.0 ? energies.dissipated / energies.largest : 0.0;
+  energy.dissipated = energies.dissipated;
+  energy.dissipation_ratio = energies.largest > 0.0 ? energies.dissipated / energies.largest : 0.0;
   report.balance = equilibrium->balance(*z, s);
   report.extrapolated = evaluation.extrapolated;
   report.undamped = undamped;
@@ -167,19 +167,14 @@ StepReport Simulation::Data::accept(double s, const Evaluation& evaluation, bool
     watch_ellipticity(report);
   }
   if (jumped) report.critical = CriticalPoint::jump;
-  if (equilibrium->damping() > 0.0 && moved)
-    adapt_damping(*equilibrium, stage.damping, energies.largest, report.strain_energy - energies.last, now,
-                  tries.iterations);
-  energies.last = report.strain_energy;
-  report.seconds = seconds();
+  if (damped && moved)
+    adapt_damping(*equilibrium, stage.damping, energies.largest, energy.strain - energies.last, now, tries.iterations);
+  energies.last = energy.strain;
+  report.seconds = clock.seconds();
   tries.iterations = tries.cut_backs = 0;
   watch.set_cut_backs(0);
   equilibrium->tangent().renew();  // the next step depends on its start alone
   return report;
-}
-
-double Simulation::Data::seconds() const {
-  return earlier_seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 // The run can be resumed from here.
@@ -215,7 +210,7 @@ void Simulation::run(const StageOptions& stage) {
   if (stage.kind == nullptr)
     throw base::Error(base::ExitCode::internal_error, "stage \"" + stage.name + "\" is of no kind");
   Data& d = *data_;
-  if (d.stages_run++ < d.stages_behind) return;
+  if (d.stages.run++ < d.stages.behind) return;
   d.stage = stage;
   if (d.resumed) {
     d.rebuild(*d.resumed);

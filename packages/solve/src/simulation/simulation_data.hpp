@@ -25,6 +25,20 @@
 
 namespace toile::solve {
 
+/// Wall time of a run.
+struct RunClock {
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  double earlier = 0.0;  ///< seconds before it was resumed
+  double seconds() const {
+    return earlier + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+};
+
+/// How many stages a run was asked for, and how many of them a resumed one has done before.
+struct StageCount {
+  int run = 0, behind = 0;
+};
+
 /// What a simulation holds over all stages.
 struct RunSoFar {
   RunSoFar(const Problem& p, const SolverOptions& o, RCP<const Comm> ranks)
@@ -39,13 +53,12 @@ struct RunSoFar {
   Notes notes;
   std::vector<std::string> warnings;
   std::set<std::string> released;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  double earlier_seconds = 0.0;  ///< of the run before it was resumed
+  RunClock clock;
   bool started = false;
   Energies energies;
   std::vector<StepReport> reports;
-  int stages_run = 0, stages_behind = 0;  ///< those that were asked for; of them, those that a resumed run has done
-  std::optional<Checkpoint> resumed;      ///< inside the stage that runs next
+  StageCount stages;
+  std::optional<Checkpoint> resumed;  ///< inside the stage that runs next
 };
 
 /// Those that look for what Newton's method does not show.
@@ -94,7 +107,6 @@ struct Simulation::Data : RunSoFar, StageNow {
   std::vector<NullMotion> null_motions(const State& from, const std::vector<bool>& guided) const;
   void assemble(const State& from, const std::vector<NullMotion>& motions);
   StepReport accept(double s, const Evaluation& evaluation, bool undamped);
-  double seconds() const;
   void publish(const StepReport& report);
   Checkpoint checkpoint() const;
   void resume(const Checkpoint& from);

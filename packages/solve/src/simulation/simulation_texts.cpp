@@ -21,14 +21,22 @@ void Simulation::Data::watch_ellipticity(const StepReport& report) {
   progress.lost_ellipticity = true;
 }
 
-// What did not converge where the last attempt gave up, and why. Collective.
+// What did not converge where the last attempt gave up, and why; of one that was stopped, where the garment was on its
+// way to. Collective.
 std::string Simulation::Data::diagnosis() {
-  if (!watch.stopped().empty() || !tries.failed) return {};
-  const Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
+  if (!tries.failed) return {};
+  Remainder left = remainder_of(*equilibrium, *tries.failed, tries.failed_damping, problem.clusters.size());
   const Failure failure{problem,  stage,          options.newton,
                         held,     progress.start, state,
                         left,     reached,        statistics.steps > progress.earlier_steps,
                         relaxing, tries.cut_backs};
+  if (!watch.stopped().empty()) {
+    const std::string motion = unheld_motion(failure);
+    if (!motion.empty()) return " Likely cause: " + motion + ".";
+    const std::string on_its_way = relaxing || !failure.stepped ? farthest_motion(failure) : "";
+    return on_its_way.empty() ? on_its_way : " Where it was stopped, " + on_its_way + ".";
+  }
+  if (left.finite) left.softest = softest_motion(*equilibrium, *tries.failed, problem.clusters.size());
   const std::string cause = likely_cause(failure);
   return " " + what_failed(failure) + (cause.empty() ? "" : " Likely cause: " + cause + ".");
 }
@@ -91,9 +99,7 @@ std::string Simulation::Data::path_failure() {
             << (stage.until->volume ? " mm^3" : " on " + stage.until->on) << ")";
   if (!watch.stopped().empty()) {
     message << ", because " << watch.stopped() << ".";
-    return message.str();
-  }
-  if (statistics.steps == progress.earlier_steps) {
+  } else if (statistics.steps == progress.earlier_steps) {
     message << ", and no step of it was accepted.";
   } else {
     message << ", after " << tries.cut_backs << " cut-backs at that point (\"smallest step\" " << stage.smallest_step

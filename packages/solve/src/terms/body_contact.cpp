@@ -171,7 +171,7 @@ void BodyContact::retract_cluster(size_t cluster, double s, double* z) const {
 void BodyContact::balance(const Configuration& at, const Forces& forces, double least, Vector& z) const {
   constexpr double touching = 2.0;  // mm: placed nodes this near are taken to lie on the body
   auto data = z.getDataNonConst();
-  const size_t first = layout_.dof_map->getNodeNumElements();
+  const size_t first = layout_.maps.dof->getNodeNumElements();
   for (size_t c = 0; c < size(); ++c) {
     const Vec3 internal(forces.force[3 * c], forces.force[3 * c + 1], forces.force[3 * c + 2]);
     const contact::NodeContact here = contact(c, at.position(c), at.opening, 0.0);

@@ -21,30 +21,30 @@ Strain::Part Strain::make_part(const Problem& problem, const Layout::BlockPart& 
   const mesh::Block& block = problem.mesh->blocks[local.block];
   Part part(problem.models[local.block], local, block.nodes_per_element, Stencils(layout_, local, graph, true));
   for (const int e : local.elements) {
-    part.wale_angle.push_back(block.wale_angle[e]);
+    part.reference.wale_angle.push_back(block.wale_angle[e]);
     for (int i = 0; i < part.nodes; ++i) {
       const int node = block.connectivity[static_cast<size_t>(e) * part.nodes + i];
       const mesh::Vec2& p = problem.mesh->pattern[node];
-      part.pattern.insert(part.pattern.end(), {p[0], p[1]});
+      part.reference.pattern.insert(part.reference.pattern.end(), {p[0], p[1]});
       if (!part.shell.placed_reference) continue;
       for (const Vec3& v : {problem.mesh->placed[node], start[node].row(2).transpose().eval()})
-        part.reference.insert(part.reference.end(), v.data(), v.data() + 3);
+        part.reference.directors.insert(part.reference.directors.end(), v.data(), v.data() + 3);
     }
     if (part.material->graduated()) {
       const std::vector<double> values = part.material->params_at(block.position[e]);
-      part.params.insert(part.params.end(), values.begin(), values.end());
+      part.reference.params.insert(part.reference.params.end(), values.begin(), values.end());
     }
   }
-  if (!part.material->graduated()) part.params = part.material->params();
+  if (!part.material->graduated()) part.reference.params = part.material->params();
   const size_t n = local.elements.size(), ndof = static_cast<size_t>(part.element->ndof());
-  part.x.resize(n * ndof);
-  part.energy.resize(n);
-  part.residual.resize(n * ndof);
-  part.tangent.resize(n * ndof * ndof);
-  part.status.resize(n);
-  if (local.shell) part.frames.resize(9 * n * part.nodes);
-  part.frozen.resize(n * static_cast<size_t>(part.element->frozen_values()));
-  part.first_frozen = all_frozen_;
+  part.present.x.resize(n * ndof);
+  part.results.energy.resize(n);
+  part.results.residual.resize(n * ndof);
+  part.results.tangent.resize(n * ndof * ndof);
+  part.results.status.resize(n);
+  if (local.shell) part.present.frames.resize(9 * n * part.nodes);
+  part.frozen.now.resize(n * static_cast<size_t>(part.element->frozen_values()));
+  part.frozen.first = all_frozen_;
   all_frozen_ += static_cast<size_t>(block.size()) * static_cast<size_t>(part.element->frozen_values());
   return part;
 }
@@ -53,8 +53,8 @@ void Strain::gather(Part& part, const Configuration& at) const {
   const size_t stride = static_cast<size_t>(part.element->dofs_per_node());
   for (size_t i = 0; i < part.layout->nodes.size(); ++i) {
     const size_t n = static_cast<size_t>(part.layout->nodes[i]);
-    std::copy_n(&at.x[3 * n], 3, &part.x[stride * i]);
-    if (part.layout->shell) std::copy_n(&at.rotation[2 * n], 2, &part.x[stride * i + 3]);
+    std::copy_n(&at.x[3 * n], 3, &part.present.x[stride * i]);
+    if (part.layout->shell) std::copy_n(&at.rotation[2 * n], 2, &part.present.x[stride * i + 3]);
   }
 }
 
@@ -62,17 +62,17 @@ element::Batch Strain::batch(const Part& part, int first, int count) const {
   element::Batch b;
   const size_t f = static_cast<size_t>(first);
   b.n = count;
-  b.pattern = &part.pattern[f * part.nodes * 2];
-  b.x = &part.x[f * part.element->ndof()];
-  b.wale_angle = &part.wale_angle[f];
+  b.pattern = &part.reference.pattern[f * part.nodes * 2];
+  b.x = &part.present.x[f * part.element->ndof()];
+  b.wale_angle = &part.reference.wale_angle[f];
   b.response = &part.material->response();
   b.graduated = part.material->graduated();
-  b.params = b.graduated ? &part.params[f * b.response->n_params()] : part.params.data();
+  b.params = b.graduated ? &part.reference.params[f * b.response->n_params()] : part.reference.params.data();
   b.thickness = part.material->thickness();
   if (part.layout->shell) {
-    b.frames = &part.frames[9 * f * part.nodes];
-    b.reference = part.reference.empty() ? nullptr : &part.reference[6 * f * part.nodes];
-    b.frozen = &part.frozen[f * part.element->frozen_values()];
+    b.frames = &part.present.frames[9 * f * part.nodes];
+    b.reference = part.reference.directors.empty() ? nullptr : &part.reference.directors[6 * f * part.nodes];
+    b.frozen = &part.frozen.now[f * part.element->frozen_values()];
     b.layers = part.shell.layers;
     b.shear_modulus = part.shell.shear_modulus;
   }
@@ -86,10 +86,10 @@ void Strain::run(Part& part, bool with_tangent) const {
   for (int first = 0; first < n; first += chunk) {
     const size_t f = static_cast<size_t>(first);
     element::Result out;
-    out.energy = &part.energy[f];
-    out.residual = &part.residual[f * ndof];
-    out.tangent = with_tangent ? &part.tangent[f * ndof * ndof] : nullptr;
-    out.status = &part.status[f];
+    out.energy = &part.results.energy[f];
+    out.residual = &part.results.residual[f * ndof];
+    out.tangent = with_tangent ? &part.results.tangent[f * ndof * ndof] : nullptr;
+    out.status = &part.results.status[f];
     part.element->evaluate(batch(part, first, std::min(chunk, n - first)), out);
   }
 }
@@ -99,7 +99,7 @@ void Strain::add_up(const Part& part, Forces& forces) const {
   for (size_t i = 0; i < part.layout->nodes.size(); ++i) {
     const size_t n = static_cast<size_t>(part.layout->nodes[i]);
     const size_t c = 3 * static_cast<size_t>(layout_.node_cluster[n]);
-    const double* r = &part.residual[stride * i];
+    const double* r = &part.results.residual[stride * i];
     for (size_t d = 0; d < 3; ++d) {
       forces.force[c + d] += r[d];
       forces.magnitude[c + d] += std::abs(r[d]);
@@ -111,8 +111,8 @@ void Strain::add_up(const Part& part, Forces& forces) const {
   }
   for (size_t e = 0; e < part.layout->elements.size(); ++e) {
     if (!part.layout->owned[e]) continue;
-    forces.strain_energy += part.energy[e];
-    forces.extrapolated += part.status[e] == material::point_extrapolated;
+    forces.strain_energy += part.results.energy[e];
+    forces.extrapolated += part.results.status[e] == material::point_extrapolated;
   }
 }
 
@@ -121,7 +121,7 @@ void Strain::add(const Configuration& at, Forces& forces, double* tangent) {
     gather(part, at);
     run(part, tangent != nullptr);
     add_up(part, forces);
-    if (tangent != nullptr) part.stencils.add(part.tangent.data(), tangent);
+    if (tangent != nullptr) part.stencils.add(part.results.tangent.data(), tangent);
   }
 }
 
@@ -131,7 +131,7 @@ double Strain::potential(const Configuration& at, const Configuration&) {
     gather(part, at);
     run(part, false);
     for (size_t e = 0; e < part.layout->elements.size(); ++e)
-      if (part.layout->owned[e]) energy += part.energy[e];
+      if (part.layout->owned[e]) energy += part.results.energy[e];
   }
   return energy;
 }
@@ -139,7 +139,7 @@ double Strain::potential(const Configuration& at, const Configuration&) {
 void Strain::set_frames(const std::vector<Frame>& frames) {
   for (Part& part : parts_)
     for (size_t i = 0; i < part.layout->nodes.size() && part.layout->shell; ++i)
-      std::copy_n(frames[part.layout->nodes[i]].data(), 9, &part.frames[9 * i]);
+      std::copy_n(frames[part.layout->nodes[i]].data(), 9, &part.present.frames[9 * i]);
 }
 
 double Strain::find_frozen(const Configuration& at) {
@@ -148,18 +148,18 @@ double Strain::find_frozen(const Configuration& at) {
     const size_t per = static_cast<size_t>(part.element->frozen_values()), n = part.layout->elements.size();
     if (per == 0 || n == 0) continue;
     gather(part, at);
-    part.next_frozen.resize(part.frozen.size());
-    part.element->freeze(batch(part, 0, static_cast<int>(n)), part.next_frozen.data());
+    part.frozen.next.resize(part.frozen.now.size());
+    part.element->freeze(batch(part, 0, static_cast<int>(n)), part.frozen.next.data());
     const size_t points = static_cast<size_t>(part.element->points());
     for (size_t k = 0; k < n * per; ++k)
       if (k % per < points)  // the first values are the thickness stretches of the points
-        change = std::max(change, part.material->thickness() * std::abs(part.next_frozen[k] - part.frozen[k]));
+        change = std::max(change, part.material->thickness() * std::abs(part.frozen.next[k] - part.frozen.now[k]));
   }
   return change;
 }
 
 void Strain::adopt_frozen() {
-  for (Part& part : parts_) std::swap(part.frozen, part.next_frozen);
+  for (Part& part : parts_) std::swap(part.frozen.now, part.frozen.next);
 }
 
 std::vector<double> Strain::frozen() const {
@@ -168,8 +168,8 @@ std::vector<double> Strain::frozen() const {
     const size_t per = static_cast<size_t>(part.element->frozen_values());
     for (size_t e = 0; e < part.layout->elements.size() && per > 0; ++e)
       if (part.layout->owned[e])
-        std::copy_n(&part.frozen[per * e], per,
-                    &all[part.first_frozen + per * static_cast<size_t>(part.layout->elements[e])]);
+        std::copy_n(&part.frozen.now[per * e], per,
+                    &all[part.frozen.first + per * static_cast<size_t>(part.layout->elements[e])]);
   }
   return all;
 }
@@ -178,8 +178,8 @@ void Strain::set_frozen(const std::vector<double>& all) {
   for (Part& part : parts_) {
     const size_t per = static_cast<size_t>(part.element->frozen_values());
     for (size_t e = 0; e < part.layout->elements.size() && per > 0; ++e)
-      std::copy_n(&all[part.first_frozen + per * static_cast<size_t>(part.layout->elements[e])], per,
-                  &part.frozen[per * e]);
+      std::copy_n(&all[part.frozen.first + per * static_cast<size_t>(part.layout->elements[e])], per,
+                  &part.frozen.now[per * e]);
   }
 }
 

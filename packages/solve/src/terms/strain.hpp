@@ -36,6 +36,26 @@ class Strain : public Term {
   std::vector<double> nodal_thickness(const Configuration& at);
 
  private:
+  /// What an element starts from, see element::Batch.
+  struct Reference {
+    std::vector<double> pattern, wale_angle, params;
+    std::vector<double> directors;  ///< of shells whose reference is the placed shape
+  };
+  /// The configuration that is asked for.
+  struct Present {
+    std::vector<double> x, frames;
+  };
+  /// What elements keep during a step.
+  struct Frozen {
+    std::vector<double> now, next;
+    size_t first = 0;  ///< place of the block's values among those of the garment
+  };
+  /// Of the last evaluation, see element::Result.
+  struct Results {
+    std::vector<double> energy, residual, tangent;
+    std::vector<std::uint8_t> status;
+  };
+  /// The elements of one block on this rank.
   struct Part {
     Part(const BlockModel& model, const Layout::BlockPart& local, int nodes_per_element, Stencils places)
         : element(model.element),
@@ -51,11 +71,10 @@ class Strain : public Term {
     ShellModel shell;
     int nodes;  ///< an element
     Stencils stencils;
-    std::vector<double> pattern, wale_angle, params, x;
-    std::vector<double> frames, reference, frozen, next_frozen;  ///< of shells, see element::Batch
-    std::vector<double> energy, residual, tangent;
-    std::vector<std::uint8_t> status;
-    size_t first_frozen = 0;  ///< place of the block's values among those of the garment
+    Reference reference;
+    Present present;
+    Frozen frozen;
+    Results results;
   };
 
   Part make_part(const Problem& problem, const Layout::BlockPart& local, const std::vector<Frame>& start,

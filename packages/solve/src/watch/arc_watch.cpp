@@ -5,16 +5,18 @@
 #include <sstream>
 #include <utility>
 
+#include "watch/found_steps.hpp"
+
 namespace toile::solve {
 
 ArcWatch::ArcWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage)
-    : equilibrium_(std::move(equilibrium)), stage_(stage) {}
+    : equilibrium_(std::move(equilibrium)), stage_(stage), last_(*equilibrium_) {}
 
 double ArcWatch::turn(const Vector& step) const {
-  const double now = equilibrium_->distance(step), before = equilibrium_->distance(*change_);
+  const double now = equilibrium_->distance(step), before = equilibrium_->distance(*last_.change());
   if (now == 0.0 || before == 0.0) return 0.0;
   Vector off(step, Teuchos::Copy);
-  off.update(-1.0 / before, *change_, 1.0 / now);
+  off.update(-1.0 / before, *last_.change(), 1.0 / now);
   const double chord = equilibrium_->distance(off);  // between unit vectors
   return 2.0 * std::asin(std::min(1.0, 0.5 * chord)) * 180.0 / M_PI;
 }
@@ -24,12 +26,11 @@ bool ArcWatch::accepts(const Vector& z) {
   constexpr double above = 16.0;     // times the smallest step: the path ends at one that is cut below it
   constexpr double shortest = 0.05;  // of the first step: a bend that this does not round off is none
   off_ = 0.0;
-  if (last_.is_null() || change_.is_null()) return true;
-  Vector step(z, Teuchos::Copy);
-  step.update(-1.0, *last_, 1.0);
-  const double angle = turn(step);
+  if (last_.change().is_null()) return true;
+  const RCP<Vector> step = last_.to(z);
+  const double angle = turn(*step);
   if (angle <= sharp) return true;
-  const double length = stage_.first_step * equilibrium_->distance(step) / first_length_;
+  const double length = stage_.first_step * equilibrium_->distance(*step) / first_length_;
   if (length > std::max(above * stage_.smallest_step, shortest * stage_.first_step)) return false;
   off_ = angle;
   return true;
@@ -38,40 +39,24 @@ bool ArcWatch::accepts(const Vector& z) {
 bool ArcWatch::accepted(const Vector& z, double s) {
   const bool turned = off_ > 0.0;
   if (turned) {
-    ++turns_.count;
-    if (off_ > turns_.distance) {
-      turns_.distance = off_;
-      turns_.from = equilibrium_->state(*last_, s_).load;
-      turns_.to = equilibrium_->state(z, s).load;
-    }
+    const double from = equilibrium_->state(last_.z(), last_.s()).load, to = equilibrium_->state(z, s).load;
+    count_step(turns_, from, to, off_ > turns_.distance, {off_, Vec3::Zero()});
   }
-  if (!last_.is_null()) {
-    const RCP<Vector> step = rcp(new Vector(z, Teuchos::Copy));
-    step->update(-1.0, *last_, 1.0);
-    change_ = step;
-    if (first_length_ == 0.0) first_length_ = equilibrium_->distance(*step);
-  }
-  last_ = rcp(new Vector(z, Teuchos::Copy));
-  s_ = s;
+  last_.accept(z, s, last_.known());
+  if (first_length_ == 0.0 && !last_.change().is_null()) first_length_ = equilibrium_->distance(*last_.change());
   off_ = 0.0;
   return turned;
 }
 
 WatchMemory ArcWatch::memory() const {
-  WatchMemory memory;
-  const auto values = [&](const RCP<const Vector>& v) { return v.is_null() ? Unknowns() : equilibrium_->gather(*v); };
-  memory.last = values(last_);
-  memory.change = values(change_);
-  memory.s = s_;
+  WatchMemory memory = last_.memory();
   memory.first_length = first_length_;
   memory.found = turns_;
   return memory;
 }
 
 void ArcWatch::resume(const WatchMemory& memory) {
-  last_ = equilibrium_->scatter(memory.last);
-  change_ = equilibrium_->scatter(memory.change);
-  s_ = memory.s;
+  last_.resume(memory);
   first_length_ = memory.first_length;
   turns_ = memory.found;
 }

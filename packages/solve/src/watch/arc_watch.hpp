@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include "equilibrium/equilibrium.hpp"
-#include "toile/solve/checkpoint.hpp"
+#include "watch/last_step.hpp"
 
 namespace toile::solve {
 
@@ -30,8 +29,7 @@ class ArcWatch {
 
   std::shared_ptr<Equilibrium> equilibrium_;
   StageOptions stage_;
-  RCP<const Vector> last_, change_;  ///< accepted; the last step, null: not known
-  double s_ = 0.0;
+  LastStep last_;
   double first_length_ = 0.0;  ///< of the first step, mm
   double off_ = 0.0;           ///< turn of the step that `accepts` let pass although it is large, degrees
   FoundSteps turns_;

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "toile/solve/stage_kind.hpp"
-#include "watch/furthest_move.hpp"
+#include "watch/found_steps.hpp"
 
 namespace toile::solve {
 
@@ -21,18 +21,12 @@ bool DampedWatch::accepted(const DampedStep& step) {
   const double share = step.energy > 0.0 ? step.dissipated / step.energy : 0.0;
   if (share <= std::max(noticeable, times_wanted * stage_.damping.fraction)) return false;
   const double before = stage_.kind->reached(step.before), after = stage_.kind->reached(step.after);
-  if (!snaps_.has_largest || step.dissipated > snaps_.dissipated) {
-    const FurthestMove move = furthest_move(step.before, step.after);
-    snaps_.has_largest = true;
-    snaps_.from = before;
-    snaps_.to = after;
+  const bool is_largest = !snaps_.has_largest || step.dissipated > snaps_.dissipated;
+  count_step(snaps_, before, after, is_largest, furthest_move(step.before, step.after));
+  if (is_largest) {
     snaps_.dissipated = step.dissipated;
     snaps_.share = share;
-    snaps_.distance = move.distance;
-    snaps_.at = move.at;
   }
-  if (++snaps_.count == 1) snaps_.first = before;
-  snaps_.end = after;
   snaps_.part += step.to - step.from;
   snaps_.taken += step.dissipated;
   return true;

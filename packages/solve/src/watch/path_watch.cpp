@@ -4,38 +4,29 @@
 #include <sstream>
 #include <utility>
 
-#include "watch/furthest_move.hpp"
+#include "watch/found_steps.hpp"
 
 namespace toile::solve {
 
-namespace {
-
-RCP<Vector> difference(const Vector& a, const Vector& b) {
-  RCP<Vector> d = rcp(new Vector(a, Teuchos::Copy));
-  d->update(-1.0, b, 1.0);
-  return d;
-}
-
-}  // namespace
-
 PathWatch::PathWatch(std::shared_ptr<Equilibrium> equilibrium, const StageOptions& stage, const NewtonOptions& options)
-    : equilibrium_(std::move(equilibrium)), stage_(stage), options_(options) {}
+    : equilibrium_(std::move(equilibrium)), stage_(stage), options_(options), last_(*equilibrium_) {}
 
 double PathWatch::bend(const Vector& z, double s) const {
-  if (change_.is_null() || interval_ <= 0.0) return 0.0;
-  const double scale = (s - s_) / interval_, predicted = scale * equilibrium_->distance(*change_);
-  const RCP<Vector> off = difference(z, *last_);
-  off->update(-scale, *change_, 1.0);
+  if (last_.change().is_null() || last_.interval() <= 0.0) return 0.0;
+  const double scale = (s - last_.s()) / last_.interval();
+  const double predicted = scale * equilibrium_->distance(*last_.change());
+  const RCP<Vector> off = last_.to(z);
+  off->update(-scale, *last_.change(), 1.0);
   return predicted > 0.0 ? equilibrium_->distance(*off) / predicted : 0.0;
 }
 
 // Where Newton's method does not find the way back, nothing is proven.
 bool PathWatch::returns(const Vector& z, double s) {
   constexpr double same = 0.1;  // of the step's length
-  const Attempt back = solve_at(equilibrium_, stage_, options_, z, s_);
+  const Attempt back = solve_at(equilibrium_, stage_, options_, z, last_.s());
   // What is frozen in a step (thickness and hourglass moduli of shells) moves its start a little.
-  const Attempt start = solve_at(equilibrium_, stage_, options_, *last_, s_);
-  const double step = equilibrium_->distance(*difference(z, *last_));
+  const Attempt start = solve_at(equilibrium_, stage_, options_, last_.z(), last_.s());
+  const double step = equilibrium_->distance(*last_.to(z));
   const bool known = back.converged && start.converged;
   const double off = known ? equilibrium_->distance(*difference(*back.z, *start.z)) : 0.0;
   equilibrium_->tangent().renew();
@@ -48,79 +39,60 @@ bool PathWatch::returns(const Vector& z, double s) {
 // steps separate the two.
 bool PathWatch::leaps(const Vector& z, double s, double off) {
   constexpr double far = 10.0, noticeable = 0.1;
-  const double moved = equilibrium_->distance(*difference(z, *last_));
-  if (off <= far || moved <= noticeable * equilibrium_->distance(*difference(*last_, *start_))) return false;
+  const double moved = equilibrium_->distance(*last_.to(z));
+  if (off <= far || moved <= noticeable * equilibrium_->distance(*difference(last_.z(), *start_))) return false;
   Vector rate(z.getMap()), tangent(z.getMap());
   equilibrium_->residual_rate(z, s, rate);
   equilibrium_->tangent().renew();
   equilibrium_->linearise(z, s);
-  return !equilibrium_->solve(rate, tangent) || moved > far * (s - s_) * equilibrium_->distance(tangent);
+  return !equilibrium_->solve(rate, tangent) || moved > far * (s - last_.s()) * equilibrium_->distance(tangent);
 }
 
 bool PathWatch::accepts(const Vector& z, double s, int iterations) {
   constexpr int many = 25;       // thin shells take up to 20 on their path
   constexpr double sharp = 1.0;  // what lies within the length of the predicted step from it is a bend
   left_ = false;
-  if (last_.is_null() || s <= s_) return true;
+  if (!last_.known() || s <= last_.s()) return true;
   const double off = bend(z, s);
   const bool damped = stage_.damping.active;  // passes jumps: there they are told, not cut back
   if ((damped || iterations < many) && off <= sharp) return true;
   const bool leap = leaps(z, s, off), same = returns(z, s);
   if (same && !leap) return true;
   const double narrow = std::max(2.0 * stage_.smallest_step, (same ? 0.01 : 0.1) * stage_.first_step);
-  if (!damped && s - s_ > narrow) return false;
+  if (!damped && s - last_.s() > narrow) return false;
   left_ = true;
   return true;
 }
 
 bool PathWatch::accepted(const Vector& z, double s) {
   const bool jumped = left_ && note(z, s);
-  const bool follows = !last_.is_null() && s > s_ && !jumped;  // a jump points nowhere
-  change_ = follows ? difference(z, *last_) : Teuchos::null;
-  interval_ = follows ? s - s_ : 0.0;
-  last_ = rcp(new Vector(z, Teuchos::Copy));
-  if (start_.is_null()) start_ = last_;
-  s_ = s;
+  const bool follows = last_.known() && s > last_.s() && !jumped;  // a jump points nowhere
+  last_.accept(z, s, follows);
+  if (start_.is_null()) start_ = rcp(new Vector(z, Teuchos::Copy));
   left_ = false;
   return jumped;
 }
 
 bool PathWatch::note(const Vector& z, double s) {
   constexpr double counts = 1e-3;  // mm; less is round-off of a garment that rests
-  const State before = equilibrium_->state(*last_, s_), after = equilibrium_->state(z, s);
+  const State before = equilibrium_->state(last_.z(), last_.s()), after = equilibrium_->state(z, s);
   const double from = stage_.kind->reached(before), to = stage_.kind->reached(after);
   const FurthestMove move = furthest_move(before, after);
   if (move.distance < counts) return false;
-  if (!jumps_.has_largest || move.distance > jumps_.distance) {
-    jumps_.has_largest = true;
-    jumps_.from = from;
-    jumps_.to = to;
-    jumps_.distance = move.distance;
-    jumps_.at = move.at;
-  }
-  if (++jumps_.count == 1) jumps_.first = from;
-  jumps_.end = to;
+  count_step(jumps_, from, to, !jumps_.has_largest || move.distance > jumps_.distance, move);
   return true;
 }
 
 WatchMemory PathWatch::memory() const {
-  WatchMemory memory;
-  const auto values = [&](const RCP<const Vector>& v) { return v.is_null() ? Unknowns() : equilibrium_->gather(*v); };
-  memory.start = values(start_);
-  memory.last = values(last_);
-  memory.change = values(change_);
-  memory.s = s_;
-  memory.interval = interval_;
+  WatchMemory memory = last_.memory();
+  if (!start_.is_null()) memory.start = equilibrium_->gather(*start_);
   memory.found = jumps_;
   return memory;
 }
 
 void PathWatch::resume(const WatchMemory& memory) {
+  last_.resume(memory);
   start_ = equilibrium_->scatter(memory.start);
-  last_ = equilibrium_->scatter(memory.last);
-  change_ = equilibrium_->scatter(memory.change);
-  s_ = memory.s;
-  interval_ = memory.interval;
   jumps_ = memory.found;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "path/continuation.hpp"
-#include "toile/solve/checkpoint.hpp"
+#include "watch/last_step.hpp"
 
 namespace toile::solve {
 
@@ -41,10 +41,8 @@ class PathWatch {
   std::shared_ptr<Equilibrium> equilibrium_;
   StageOptions stage_;
   NewtonOptions options_;
-  RCP<const Vector> start_;   ///< of the stage
-  RCP<const Vector> last_;    ///< accepted; null before the stage's start
-  RCP<const Vector> change_;  ///< from the one before, the last step; null: not known
-  double s_ = 0.0, interval_ = 0.0;
+  RCP<const Vector> start_;  ///< of the stage
+  LastStep last_;            ///< not known before the stage's start
   bool left_ = false;
   FoundSteps jumps_;
 };

@@ -37,7 +37,7 @@ class PathClock {
   void start(double seconds);
   /// The stage has reached a parameter (0..1).
   void advance(double parameter, double seconds);
-  /// To parameter 1; empty while nothing is known.
+  /// To parameter 1; empty while nothing is known, and where the parameter falls, as on a branch behind a limit point.
   std::optional<TimeLeft> left() const;
 
  private:
@@ -45,7 +45,8 @@ class PathClock {
   std::vector<double> paces() const;
   double by_growth() const;
 
-  std::vector<double> parameter_, seconds_;  ///< [step] since the stage's first equilibrium
+  std::vector<double> parameter_, seconds_;  ///< [step] since the stage's first equilibrium; where it grew
+  bool falls_ = false;                       ///< the parameter is below the largest that was reached
 };
 
 /// Tells when a step that takes long is due for a line, so that a run is never silent for long.

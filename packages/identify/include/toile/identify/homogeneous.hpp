@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toile/identify/forward_model.hpp"
+#include "toile/identify/test_axes.hpp"
 
 namespace toile::identify {
 
@@ -34,32 +35,46 @@ class Homogeneous final : public ForwardModel {
  public:
   explicit Homogeneous(const std::vector<TestPoint>& points);
 
-  int size() const override { return n_; }
+  int size() const override { return static_cast<int>(tests_.size()); }
   /// Nominal stress P_xx. A point's result does not depend on the points beside it.
   int stress(const material::LawV1& law, const double* params, double* stress) override;
   int stress_and_gradient(const material::LawV1& law, const double* params, double* stress, double* gradient) override;
   /// Transverse stretch l and shear k, [n] each, of the last evaluation.
-  const std::vector<double>& lateral() const { return lateral_; }
-  const std::vector<double>& shear() const { return shear_; }
+  const std::vector<double>& lateral() const { return now_.lateral; }
+  const std::vector<double>& shear() const { return now_.shear; }
   /// Evaluations of the law at one point, since the object was made.
   long evaluations() const { return evaluations_; }
 
  private:
+  /// What a test imposes.
+  struct Test {
+    double stretch;
+    Turn turn;
+    bool is_free;          ///< across the pull: uniaxial
+    double start_lateral;  ///< transverse stretch; where it is held, its value
+  };
+  /// [test] each.
+  struct Solution {
+    explicit Solution(std::size_t points);
+    std::vector<double> lateral, shear, stress;
+  };
+  /// What the law is asked for and answers, in the layouts of LawV1.
+  struct Batch {
+    explicit Batch(std::size_t points);
+    std::vector<double> C, W, S, D, thickness, sensitivity;
+    std::vector<std::uint8_t> status;
+  };
+
   void start();
   void solve(const material::LawV1& law, const double* params);
   void evaluate(const material::LawV1& law, const double* params, int count, double* sensitivity);
   void load_state(int count);
   int newton_steps(int count);
 
-  int n_;
-  /// Of each point. angle_: cos^2, sin^2 and cos sin of its angle.
-  std::vector<double> stretch_, cosine_squared_, sine_squared_, product_;
-  std::vector<double> start_lateral_, free_;
-  std::vector<double> lateral_, shear_, stress_;
-  /// Points that are not solved yet, and their batch (layouts of LawV1).
-  std::vector<int> active_;
-  std::vector<double> C_, W_, S_, D_, thickness_, sensitivity_;
-  std::vector<std::uint8_t> status_;
+  std::vector<Test> tests_;
+  Solution now_;
+  std::vector<int> active_;  ///< tests that are not solved yet: those of the batch
+  Batch batch_;
   long evaluations_ = 0;
 };
 

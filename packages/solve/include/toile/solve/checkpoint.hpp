@@ -108,27 +108,43 @@ struct StageProgress {
   bool lost_ellipticity = false;
 };
 
+/// The stage that a step belongs to.
+struct StageMemory {
+  int index = 0;
+  std::string name;
+  int iterations = 0;  ///< since it began
+  StageProgress progress;
+};
+
+/// Of the watches that the stage has.
+struct WatchMemories {
+  std::optional<WatchMemory> path, arc;
+  std::optional<FoundSteps> damped;
+};
+
+/// What a run has noted; of that, the stage's pins.
+struct NoteMemory {
+  std::vector<std::string> all;
+  int first_pin = 0, pins = 0;
+};
+
 /// Everything that a run needs to go on after an accepted step, with the same bits on the same number of ranks. Plain
 /// values, the same on every rank.
 struct Checkpoint {
-  int stage = 0;  ///< index of the one that the step belongs to
-  std::string stage_name;
-  StageProgress progress;
+  StageMemory stage;
   State state;  ///< of the step
   std::vector<Pin> pins;
   std::set<std::string> released;
   EquilibriumMemory equilibrium;
   PathMemory path;
-  std::optional<WatchMemory> path_watch, arc_watch;
-  std::optional<FoundSteps> damped_watch;
+  WatchMemories watches;
   std::optional<TargetMemory> target;
   PivotMemory pivots;
   Energies energies;
-  int stage_iterations = 0;  ///< since it began
-  double seconds = 0.0;      ///< wall time of the run
+  double seconds = 0.0;  ///< wall time of the run
   SolveStatistics statistics;
-  std::vector<std::string> notes, warnings;
-  int first_pin_note = 0, pin_notes = 0;
+  NoteMemory notes;
+  std::vector<std::string> warnings;
   std::vector<StepReport> reports;  ///< of all accepted steps
 };
 

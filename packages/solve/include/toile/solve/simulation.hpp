@@ -36,22 +36,32 @@ enum class CriticalPoint {
   jump           ///< the path was left for another branch, see the warnings
 };
 
+/// How far an accepted state is from equilibrium.
+struct Accuracy {
+  double residual = 0.0;           ///< relative force residual
+  double undamped_residual = 0.0;  ///< the same without the damping force
+  double gap = 0.0;                ///< largest violation of contact, mm
+};
+
+/// Energies at an accepted step, N mm.
+struct StepEnergy {
+  double strain = 0.0;
+  double stabilisation = 0.0;      ///< part of it that only stabilises reduced elements
+  double dissipated = 0.0;         ///< by damping, accumulated over the run
+  double dissipation_ratio = 0.0;  ///< accumulated dissipation over the largest strain energy
+};
+
 /// One accepted step.
 struct StepReport {
   std::string stage;
   int step = 0;            ///< counted over the whole run
   double parameter = 0.0;  ///< of the stage, 0..1
   double load = 0.0, seam = 0.0;
-  int iterations = 0;                 ///< Newton iterations since the last accepted step, failed attempts included
-  int cut_backs = 0;                  ///< failed attempts since the last accepted step
-  double residual = 0.0;              ///< relative force residual
-  double undamped_residual = 0.0;     ///< the same without the damping force
-  double gap = 0.0;                   ///< largest violation of contact, mm
-  double strain_energy = 0.0;         ///< N mm
-  double stabilisation_energy = 0.0;  ///< part of it that only stabilises reduced elements, N mm
-  double dissipated = 0.0;            ///< accumulated over the run, N mm
-  double dissipation_ratio = 0.0;     ///< accumulated dissipation over the largest strain energy
-  int negative_pivots = -1;           ///< of the tangent at the accepted state; -1: not known
+  int iterations = 0;  ///< Newton iterations since the last accepted step, failed attempts included
+  int cut_backs = 0;   ///< failed attempts since the last accepted step
+  Accuracy accuracy;
+  StepEnergy energy;
+  int negative_pivots = -1;  ///< of the tangent at the accepted state; -1: not known
   CriticalPoint critical = CriticalPoint::none;
   int extrapolated = 0;   ///< elements outside the calibrated range of their fabric
   bool undamped = false;  ///< this is the final state of its stage, without damping
