@@ -39,6 +39,9 @@ Mannequin make_mannequin(const TriangleMesh& /*body*/, const std::vector<Measure
                          const MannequinOptions& /*options*/) {
   refuse();
 }
+Landmarks landmarks_of(const base::List& /*list*/) {
+  refuse();
+}
 Landmarks find_landmarks(const TriangleMesh& /*mesh*/) {
   refuse();
 }

@@ -13,8 +13,8 @@
 namespace toile::body {
 namespace {
 
-constexpr double tolerance = 0.005;
-constexpr int most_rounds = 15;
+constexpr double wanted_error = 0.003, largest_error = 0.008;  // of a measurement
+constexpr int most_rounds = 15, quick_rounds = 5;
 const char* const shoulder_width = "shoulder width";
 
 /// A point of the form as its facets' corners have it, and where it goes.
@@ -77,8 +77,9 @@ class Fit {
   void factorise();
   Vec3 target(const Ring& ring, const Vec3& point) const;
   TriangleMesh moved() const;
-  /// Measures, and corrects the factors; whether all measurements are reached.
-  bool correct(const Landmarks& landmarks, const TriangleMesh& mesh);
+  /// Measures, and corrects a share of what is missing; returns the largest relative error.
+  double correct(const Landmarks& landmarks, const TriangleMesh& mesh, double share);
+  void correct_rings(const Landmarks& landmarks, const TriangleMesh& mesh, double share, Measurement* m);
   /// At the landmark; where the changed form does not show it, as an underbust without a fold, at the ring itself.
   double girth_of(const Ring& ring, const Landmarks& landmarks, const TriangleMesh& mesh) const;
   double factor_of(const std::string& landmark) const;
@@ -270,54 +271,60 @@ double Fit::girth_of(const Ring& ring, const Landmarks& landmarks, const Triangl
   return piece == pieces.end() ? 0.0 : piece->tape_girth;
 }
 
-bool Fit::correct(const Landmarks& landmarks, const TriangleMesh& mesh) {
-  bool all = true;
+double Fit::correct(const Landmarks& landmarks, const TriangleMesh& mesh, double share) {
+  double worst = 0.0;
   for (Measurement& m : measurements_) {
     if (m.name == "height") {
       m.reached = m.value;
-      continue;
-    }
-    if (m.name == shoulder_width) {
+    } else if (m.name == shoulder_width) {
       m.reached = shoulder_width_of(landmarks);
-      shift_ += 0.5 * (m.value - m.reached);
-      all = all && std::abs(m.reached - m.value) <= tolerance * m.value;
+      shift_ += share * 0.5 * (m.value - m.reached);
+    } else {
+      correct_rings(landmarks, mesh, share, &m);
+    }
+    worst = std::max(worst, std::abs(m.reached - m.value) / m.value);
+  }
+  return worst;
+}
+
+void Fit::correct_rings(const Landmarks& landmarks, const TriangleMesh& mesh, double share, Measurement* m) {
+  // Of left and right the one that is further off is told.
+  double worst = -1.0;
+  for (Ring& ring : rings_) {
+    if (ring.measurement != m->name) {
       continue;
     }
-    // Of left and right the one that is further off is told.
-    double worst = -1.0;
-    for (Ring& ring : rings_) {
-      if (ring.measurement != m.name) {
-        continue;
-      }
-      const double girth = girth_of(ring, landmarks, mesh);
-      ring.factor += (m.value - girth) / ring.girth;
-      if (std::abs(girth - m.value) > worst) {
-        worst = std::abs(girth - m.value);
-        m.reached = girth;
-      }
+    const double girth = girth_of(ring, landmarks, mesh);
+    ring.factor += share * (m->value - girth) / ring.girth;
+    if (std::abs(girth - m->value) > worst) {
+      worst = std::abs(girth - m->value);
+      m->reached = girth;
     }
-    all = all && worst <= tolerance * m.value;
   }
-  return all;
 }
 
 GirthFit Fit::run() {
-  GirthFit result;
-  for (result.rounds = 1; result.rounds <= most_rounds; ++result.rounds) {
-    result.mesh = moved();
-    result.landmarks = find_landmarks(result.mesh);
-    const bool reached = correct(result.landmarks, result.mesh);
-    result.measurements = measurements_;
-    if (reached) {
-      return result;
+  GirthFit best;
+  double least = HUGE_VAL;
+  for (int round = 1; round <= most_rounds && least > wanted_error; ++round) {
+    TriangleMesh mesh = moved();
+    Landmarks landmarks = find_landmarks(mesh);
+    // A landmark may jump from facet to facet: then smaller steps.
+    const double worst = correct(landmarks, mesh, round > quick_rounds ? 0.5 : 1.0);
+    if (worst < least) {
+      least = worst;
+      best = {std::move(mesh), std::move(landmarks), measurements_, round};
     }
+  }
+  if (least <= largest_error) {
+    return best;
   }
   std::ostringstream text;
   text.precision(4);
   text << "the body cannot be changed to these measurements; after " << most_rounds << " rounds";
   const char* separator = " ";
-  for (const Measurement& m : measurements_) {
-    if (std::abs(m.reached - m.value) > tolerance * m.value) {
+  for (const Measurement& m : best.measurements) {
+    if (std::abs(m.reached - m.value) > largest_error * m.value) {
       text << separator << m.name << " is " << 0.1 * m.reached << " cm instead of " << 0.1 * m.value << " cm";
       separator = ", ";
     }

@@ -15,7 +15,7 @@ struct GirthFit {
   int rounds = 0;
 };
 
-/// Moves the surface of a form smoothly until it has the measurements, each within 0.5 %: the sections at the
+/// Moves the surface of a form smoothly until it has the measurements, each within 0.8 %: the sections at the
 /// landmarks are scaled, and between them the displacement bends least. Throws InputError if they are not reached.
 GirthFit fit_girths(const TriangleMesh& form, const std::vector<Measurement>& measurements);
 

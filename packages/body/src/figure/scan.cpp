@@ -119,18 +119,21 @@ int first_wide(const Course& course) {
   return -1;
 }
 
-int steadiest(const Course& course) {
+Course relative_changes(const Course& course) {
   constexpr int around = 2;
-  int best = -1;
-  double least = 0.0;
+  Course changes;
   for (int i = around; i + around < static_cast<int>(course.size()); ++i) {
-    const double slope = std::abs(course[i + around].second - course[i - around].second) / course[i].second;
-    if (best < 0 || slope < least) {
-      best = i;
-      least = slope;
-    }
+    const double difference = std::abs(course[i + around].second - course[i - around].second);
+    changes.emplace_back(course[i].first, difference / course[i].second);
   }
-  return best;
+  return changes;
+}
+
+int steadiest(const Course& course) {
+  const Course changes = relative_changes(course);
+  const auto least = std::min_element(changes.begin(), changes.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  return least == changes.end() ? -1 : static_cast<int>(least - changes.begin()) + 2;
 }
 
 std::pair<Vec3, Vec3> nearest_pair(const SectionPiece& first, const SectionPiece& second) {

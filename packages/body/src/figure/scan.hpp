@@ -67,7 +67,9 @@ using Course = std::vector<std::pair<double, double>>;
 int first_narrow(const Course& course);
 /// Number of the greatest value behind which it falls by 3 %; -1: it never does.
 int first_wide(const Course& course);
-/// Number of the place with the least relative change, away from both ends; -1 of fewer than six places.
+/// How much it changes round each place, two to either side, as a part of the value; without the two at each end.
+Course relative_changes(const Course& course);
+/// Number of the place with the least relative change, away from both ends; -1 of fewer than five places.
 int steadiest(const Course& course);
 
 /// Nearest points of two curves.

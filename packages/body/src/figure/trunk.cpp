@@ -36,7 +36,13 @@ void find_crotch(const Finder& finder) {
     return;
   }
   const auto [a, b] = nearest_pair(*left, *right);
-  const double x = 0.5 * (left->centre.x() + right->centre.x());
+  // Its x is the middle between the thighs: right at the crotch there may be small pieces.
+  constexpr double below_crotch = 0.01;  // of the height
+  const FigureLevel thighs = scan.level(legs - below_crotch * scan.height());
+  const SectionPiece *left_thigh = scan.beside(thighs, 1), *right_thigh = scan.beside(thighs, -1);
+  const double x = left_thigh == nullptr || right_thigh == nullptr
+                       ? scan.middle()
+                       : 0.5 * (left_thigh->lower.x() + right_thigh->upper.x());
   finder.add("crotch", {x, 0.5 * (a.y() + b.y()), legs});
 }
 
@@ -81,6 +87,17 @@ void find_armpit(const Finder& finder, int side) {
     return;
   }
   finder.miss(name, "no height was found at which an arm leaves the trunk");
+}
+
+/// Mean of the places of a course, with weights by the values there.
+template <class Weight>
+double mean_place(const Course& course, const Weight& weight) {
+  double sum = 0.0, places = 0.0;
+  for (const auto& [place, value] : course) {
+    sum += weight(value);
+    places += weight(value) * place;
+  }
+  return places / sum;
 }
 
 /// Foremost (sign -1) or hindmost (+1) y of a curve at x; none if it does not reach there.
@@ -132,6 +149,7 @@ class Trunk {
     bool inside = false;  ///< not at an end of the heights
   };
   std::optional<Prominence> most_prominent(double sign, int side, double from, double to) const;
+  std::optional<Vec3> furthest_of(const FigureLevel& level, double sign, int side) const;
 
   const Finder& finder_;
   const FigureScan& scan_;
@@ -139,24 +157,48 @@ class Trunk {
 };
 
 std::optional<Trunk::Prominence> Trunk::most_prominent(double sign, int side, double from, double to) const {
-  std::optional<Prominence> best;
-  const int first = scan_.index(from) + 1, last = scan_.index(to);
-  for (int i = first; i <= last; ++i) {
-    const SectionPiece* trunk = scan_.levels()[i].trunk_piece();
-    if (trunk == nullptr) {
-      continue;
-    }
-    for (const Vec3& p : trunk->points) {
-      const double away = side * (p.x() - scan_.middle());
-      if (side != 0 && (away < 0.1 * half_width_ || away > half_width_)) {
-        continue;
-      }
-      if (!best || sign * p.y() > sign * best->point.y()) {
-        best = Prominence{p, i > first && i < last};
-      }
+  constexpr double near = 1e-3;  // of the height
+  std::vector<Vec3> furthest;    // of each level
+  std::size_t best = 0;
+  for (int i = scan_.index(from) + 1; i <= scan_.index(to); ++i) {
+    const auto point = furthest_of(scan_.levels()[i], sign, side);
+    if (point) {
+      furthest.push_back(*point);
+      best = sign * point->y() > sign * furthest[best].y() ? furthest.size() - 1 : best;
     }
   }
-  return best;
+  if (furthest.empty()) {
+    return {};
+  }
+  // The mean of what stands out nearly as much, so that single vertices do not decide.
+  const double least = sign * furthest[best].y() - near * scan_.height();
+  const auto weight = [&](std::size_t k) { return std::max(0.0, sign * furthest[k].y() - least); };
+  double sum = weight(best);
+  Vec3 mean = sum * furthest[best];
+  for (std::size_t k = best + 1; k < furthest.size() && weight(k) > 0.0; ++k) {
+    sum += weight(k);
+    mean += weight(k) * furthest[k];
+  }
+  for (std::size_t k = best; k-- > 0 && weight(k) > 0.0;) {
+    sum += weight(k);
+    mean += weight(k) * furthest[k];
+  }
+  return Prominence{mean / sum, best > 0 && best + 1 < furthest.size()};
+}
+
+std::optional<Vec3> Trunk::furthest_of(const FigureLevel& level, double sign, int side) const {
+  std::optional<Vec3> furthest;
+  if (level.trunk < 0) {
+    return furthest;
+  }
+  for (const Vec3& p : level.trunk_piece()->points) {
+    const double away = side * (p.x() - scan_.middle());
+    const bool counts = away >= 0.1 * half_width_ && away <= half_width_;
+    if (counts && (!furthest || sign * p.y() > sign * furthest->y())) {
+      furthest = p;
+    }
+  }
+  return furthest;
 }
 
 void Trunk::find_hip() const {
@@ -233,8 +275,11 @@ void Trunk::find_underbust() const {
     if (!front) {
       continue;
     }
-    // The deepest place behind the line from the bust point to the front of the waist.
-    double deepest = least_fold * scan_.height(), z = 0.0;
+    // The deepest place behind the line from the bust point to the front of the waist; the mean of what is nearly as
+    // deep, so that the place does not jump from facet to facet.
+    Course depths;
+    double deepest = least_fold * scan_.height();
+    bool has_fold = false;
     for (int i = scan_.index(waist->point.z()) + 1; i <= scan_.index(top.z()); ++i) {
       const FigureLevel& level = scan_.levels()[i];
       const auto y = level.trunk < 0 ? std::nullopt : outline_at(*level.trunk_piece(), top.x(), -1.0);
@@ -242,14 +287,12 @@ void Trunk::find_underbust() const {
         continue;
       }
       const double share = (level.z - waist->point.z()) / (top.z() - waist->point.z());
-      const double depth = *y - (*front + share * (top.y() - *front));
-      if (depth > deepest) {
-        deepest = depth;
-        z = level.z;
-      }
+      depths.emplace_back(level.z, *y - (*front + share * (top.y() - *front)));
+      has_fold = has_fold || depths.back().second > deepest;
+      deepest = std::max(deepest, depths.back().second);
     }
-    if (z != 0.0) {
-      sum += z;
+    if (has_fold) {
+      sum += mean_place(depths, [deepest](double depth) { return std::max(0.0, depth - 0.8 * deepest); });
       ++count;
     }
   }
@@ -311,12 +354,18 @@ void find_neck(const Finder& finder) {
   }
   finder.miss("crown", "the body has no head above a neck");
   // Of a body that ends there: above the shoulders.
-  const int steady = steadiest(stump);
-  if (steady >= 0) {
-    finder.add_trunk_level("neck", stump[steady].first);
-  } else {
+  const Course changes = relative_changes(stump);
+  if (changes.empty()) {
     finder.miss("neck", "no height above the shoulders has a smallest girth");
+    return;
   }
+  // Where the girth changes least; the mean of what changes nearly as little.
+  double least = HUGE_VAL;
+  for (const auto& place : changes) {
+    least = std::min(least, place.second);
+  }
+  finder.add_trunk_level(
+      "neck", mean_place(changes, [least](double change) { return std::pow((least + 1e-4) / (change + 1e-4), 4); }));
 }
 
 void find_trunk(const Finder& finder) {

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "figure/cut_limb.hpp"
 #include "figure/operators.hpp"
@@ -68,8 +69,10 @@ double arm_angle(const Landmarks& landmarks) {
 TriangleMesh turn_arms(const TriangleMesh& form, const Landmarks& landmarks, double angle) {
   constexpr double least = 15.0, greatest = 85.0;
   if (!(angle >= least && angle <= greatest)) {
-    throw base::InputError("the arms cannot be held " + std::to_string(angle) +
-                           " degrees below the level; allowed are 15 to 85, and what the trunk leaves room for");
+    std::ostringstream text;
+    text << "the arms cannot be held " << angle << " degrees below the level; allowed are " << least << " to "
+         << greatest << ", and what the trunk leaves room for";
+    throw base::InputError(text.str());
   }
   TriangleMesh turned = form;
   turn_arm(landmarks, 1, angle, &turned);

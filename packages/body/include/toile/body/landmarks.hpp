@@ -47,4 +47,8 @@ const base::Texts& landmark_names();
 /// arm. Heights are found within half a per cent of the body's height.
 Landmarks find_landmarks(const TriangleMesh& mesh);
 
+/// Those of the body that a validated list "Body" describes; all of it, whatever its list "Reach" says. Throws
+/// InputError if it is none from a file, or cannot be read.
+Landmarks landmarks_of(const base::List& list);
+
 }  // namespace toile::body

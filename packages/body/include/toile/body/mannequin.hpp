@@ -40,7 +40,7 @@ struct Mannequin {
   int rounds = 0;                         ///< of fitting
 };
 
-/// Makes a smooth dress form of a body and changes it until every measurement is reached within 0.5 %: the girths at
+/// Makes a smooth dress form of a body and changes it until every measurement is reached within 0.8 %: the girths at
 /// the landmarks that find_landmarks() finds on the finished form. Its floor is at z = 0, below the feet that it lacks.
 /// Throws InputError: landmarks that the body lacks, measurements that it cannot be changed to, arms that would touch.
 Mannequin make_mannequin(const TriangleMesh& body, const std::vector<Measurement>& measurements,
