@@ -82,10 +82,10 @@ TEST_F(Mannequin, Arms) {
 // and nothing is written.
 TEST_F(Mannequin, Refusals) {
   const auto expect = [this](const std::string& options, const std::string& message) {
-    const Outcome outcome = toile("body make --edge 14 --output body.obj " + options);
+    const Outcome outcome = toile("body make --edge 14 " + options);
     EXPECT_EQ(outcome.status, 2) << options;
     EXPECT_THAT(outcome.err, HasSubstr(message));
-    EXPECT_FALSE(exists("body.obj"));
+    EXPECT_FALSE(exists("mannequin.obj"));
   };
   expect("--waist 200 --hip 60", "waist 200 cm (given): no body of 158 cm has it; allowed are 32 cm to 140.8 cm");
   expect("--waist 100",
