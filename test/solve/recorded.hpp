@@ -1,4 +1,4 @@
-// A simulation with the reports of its steps, and the message of one that fails.
+// A simulation with the reports and states of its steps, and the message of one that fails.
 #pragma once
 
 #include "toile/base/error.hpp"
@@ -9,10 +9,14 @@ namespace toile::test {
 struct Recorded {
   solve::Simulation simulation;
   std::vector<solve::StepReport> reports;
+  std::vector<solve::State> states;  ///< of the same steps
 
   explicit Recorded(const solve::Problem& problem, const solve::SolverOptions& solver = {})
       : simulation(problem, solver) {
-    simulation.observe([this](const solve::StepReport& r, const solve::State&) { reports.push_back(r); });
+    simulation.observe([this](const solve::StepReport& r, const solve::State& state) {
+      reports.push_back(r);
+      states.push_back(state);
+    });
   }
   const solve::StepReport& last() const { return reports.back(); }
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "panels.hpp"
+#include "recorded.hpp"
 #include "stages.hpp"
 #include "toile/solve/simulation.hpp"
 
@@ -41,25 +42,19 @@ solve::StageOptions load_stage(double target = 1.0, double step = 0.2) {
   return s;
 }
 
-struct Recorded {
-  std::vector<solve::StepReport> reports;
-  std::vector<solve::State> states;
-};
-
-/// Settles first, so that the thickness of shells is that of the stretched panel.
-Recorded run(const solve::Problem& problem, const std::vector<solve::StageOptions>& stages) {
-  Recorded recorded;
+solve::SolverOptions direct() {
   solve::SolverOptions solver;
   solver.linear.method = "direct";  // small problems, of several ranks, spend their time on messages
-  solve::Simulation simulation(problem, solver);
-  simulation.observe([&](const solve::StepReport& report, const solve::State& state) {
-    recorded.reports.push_back(report);
-    recorded.states.push_back(state);
-  });
-  simulation.run(stage("settle"));
-  for (const solve::StageOptions& s : stages) simulation.run(s);
-  return recorded;
+  return solver;
 }
+
+/// Settles first, so that the thickness of shells is that of the stretched panel.
+struct Turned : Recorded {
+  Turned(const solve::Problem& problem, const std::vector<solve::StageOptions>& stages) : Recorded(problem, direct()) {
+    simulation.run(stage("settle"));
+    for (const solve::StageOptions& s : stages) simulation.run(s);
+  }
+};
 
 class Turning : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Formulations, Turning, testing::Values("membrane4", "shell4", "shell4r"));
@@ -75,7 +70,7 @@ TEST_P(Turning, TakesAPanelAlongAsARigidBody) {
     support.turn = turn;
     support.displacement = move;
   }
-  const Recorded r = run(panel.problem, {load_stage(1.0, 0.05)});
+  const Turned r(panel.problem, {load_stage(1.0, 0.05)});
   ASSERT_GT(r.reports.size(), 20u);
   ASSERT_GT(r.reports[0].energy.strain, 0.0);
   for (size_t k = 0; k < r.reports.size(); ++k) {
@@ -104,7 +99,7 @@ TEST_P(Turning, TorquesOfBothSidesBalance) {
   Panels panel = bent_panel(GetParam());
   panel.problem.supports[0].turn = panel.problem.supports[1].turn;
   panel.problem.supports[0].turn->angle = 0.0;
-  const Recorded r = run(panel.problem, {load_stage()});
+  const Turned r(panel.problem, {load_stage()});
   for (const solve::StepReport& report : r.reports) {
     EXPECT_NEAR(report.balance.torque[0], -report.balance.torque[1], 1e-8) << report.load;
   }
@@ -115,7 +110,7 @@ TEST_P(Turning, TorquesOfBothSidesBalance) {
 TEST(TurningTorque, IsTheDerivativeOfTheEnergy) {
   constexpr double h = 1e-3;
   Panels panel = bent_panel("membrane4");
-  const Recorded r = run(panel.problem, {load_stage(1.0 - h), load_stage(1.0, 1.0), load_stage(1.0 + h, 1.0)});
+  const Turned r(panel.problem, {load_stage(1.0 - h), load_stage(1.0, 1.0), load_stage(1.0 + h, 1.0)});
   std::vector<const solve::StepReport*> ends;
   for (const solve::StepReport& report : r.reports)
     if (report.undamped) ends.push_back(&report);
@@ -132,9 +127,9 @@ TEST_P(Turning, ArcLengthFollowsTheSamePath) {
   Panels panel = stretched_panel(GetParam());
   panel.problem.supports[1].turn = solve::Turn{Vec3(0.0, 20.0, 0.0), Vec3::UnitX(), 30.0 * degree};
   solve::StageOptions arc = load_stage();
-  const double natural = run(panel.problem, {arc}).reports.back().balance.torque[1];
+  const double natural = Turned(panel.problem, {arc}).reports.back().balance.torque[1];
   arc.arc_length = arc.stability_every_step = true;
-  const Recorded r = run(panel.problem, {arc});
+  const Turned r(panel.problem, {arc});
   EXPECT_NEAR(r.reports.back().load, 1.0, 1e-12);
   EXPECT_GT(std::abs(natural), 0.1);
   EXPECT_NEAR(r.reports.back().balance.torque[1], natural, 1e-7 * std::abs(natural));
@@ -148,7 +143,7 @@ TEST(TurningDirector, FollowsOnlyIfItIsHeld) {
     solve::Support& side = panel.problem.supports[1];
     side.turn = solve::Turn{panel.mesh.placed[Panels::node(0, Panels::across, 0)], Vec3::UnitY(), 60.0 * degree};
     if (!is_held) side.director = solve::DirectorSupport::free;
-    const Recorded r = run(panel.problem, {load_stage()});
+    const Turned r(panel.problem, {load_stage()});
     const double added = r.reports.back().energy.strain - r.reports.front().energy.strain;
     const int node = Panels::node(0, Panels::across, 2);
     const Vec3 expected = is_held ? Vec3(std::sin(60.0 * degree), 0.0, std::cos(60.0 * degree)) : Vec3(0.0, 0.0, 1.0);

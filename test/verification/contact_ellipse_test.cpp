@@ -132,7 +132,7 @@ TEST(PenaltyNumber, DoesNotEnterThePressure) {
   o.angle = 7.3;
   const Sleeve usual = settle(o);
   for (const double factor : {0.1, 10.0}) {
-    o.relative_stiffness = factor * SleeveOptions().relative_stiffness;
+    o.contact.relative_stiffness = factor * SleeveContact().relative_stiffness;
     const Sleeve other = settle(o);
     double largest = 0.0;
     for (size_t n = 0; n < usual.fields.pressure.size(); ++n) {

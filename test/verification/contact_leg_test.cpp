@@ -88,7 +88,7 @@ TEST(Leg, WrittenFieldIsInBalance) {
   o.offset = 0.3;
   o.around = 32;
   o.along = 48;
-  o.inner_face = true;
+  o.contact.inner_face = true;
   const Sleeve sleeve = settle(o);
   expect_balanced(sleeve);
   print("leg: balance %.1e, gap %.1e mm\n", sleeve.imbalance(), sleeve.largest_gap());

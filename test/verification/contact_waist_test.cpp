@@ -83,7 +83,7 @@ TEST(PenaltyNumber, DoesNotEnterLiftOff) {
   SleeveOptions o = options_of(ContactReference("contact_waist_rebar"), 1);
   const Sleeve usual = settle(o);
   for (const double factor : {0.1, 10.0}) {
-    o.relative_stiffness = factor * SleeveOptions().relative_stiffness;
+    o.contact.relative_stiffness = factor * SleeveContact().relative_stiffness;
     const Sleeve other = settle(o);
     for (int j = 0; j < o.along; ++j)
       for (int i = 0; i < o.around; ++i)

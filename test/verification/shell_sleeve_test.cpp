@@ -25,7 +25,7 @@ SleeveOptions sleeve_of(int around, int along, const std::string& integration) {
   o.l0 = 110.0;
   o.to = 100.0;
   o.hold_top = "";
-  o.inner_face = true;
+  o.contact.inner_face = true;
   o.shell = integration;
   return o;
 }
@@ -83,7 +83,7 @@ TEST(ShellSleeveMeshes, ConvergeWithSecondOrder) {
 // The pressure can be written per area of the inner face; the written field is in balance all the same.
 TEST(ShellSleeve, PressurePerInnerArea) {
   SleeveOptions o = sleeve_of(96, 24, "reduced");
-  o.pressure_on_inner_face = true;
+  o.contact.pressure_on_inner_face = true;
   const Sleeve sleeve = settle(o);
   EXPECT_LT(std::abs(error_of(sleeve, per_inner)), 0.0015);
   expect_balanced(sleeve);

@@ -91,9 +91,9 @@ ParameterList sleeve_list(const SleeveOptions& o) {
   add_support(scene, "top", o.hold_top);
   if (!o.shell.empty()) add_directors(scene);
   ParameterList& contact = scene.sublist("Contact");
-  contact.set("contact surface", o.inner_face ? "inner face" : "mid-surface");
-  contact.set("pressure area", o.pressure_on_inner_face ? "inner face" : "mid-surface");
-  contact.set("relative stiffness", o.relative_stiffness);
+  contact.set("contact surface", o.contact.inner_face ? "inner face" : "mid-surface");
+  contact.set("pressure area", o.contact.pressure_on_inner_face ? "inner face" : "mid-surface");
+  contact.set("relative stiffness", o.contact.relative_stiffness);
   scene.sublist("Stages").sublist("settle").set("type", "settle");
   return scene;
 }

@@ -10,6 +10,13 @@
 
 namespace toile::test {
 
+/// Its contact, and what its pressure counts on.
+struct SleeveContact {
+  double relative_stiffness = 10.0;     ///< augmentation
+  bool inner_face = false;              ///< half the thickness inside the mid-surface, not at it
+  bool pressure_on_inner_face = false;  ///< per area of the inner face
+};
+
 /// A rectangle 2 pi r0 x l0 (course around, wale along z), sewn to itself round a body from the start.
 struct SleeveOptions {
   Teuchos::ParameterList body;           ///< the scene's list "Body"
@@ -22,9 +29,7 @@ struct SleeveOptions {
   double angle = 0.0;                       ///< of the panel's centre line, degrees
   double offset = 0.0;                      ///< of the start from the body, mm
   std::array<double, 2> axis = {0.0, 0.0};  ///< x, y of the vertical axis of the placement, mm
-  double relative_stiffness = 10.0;         ///< augmentation of contact
-  bool inner_face = false;                  ///< contact half the thickness inside the mid-surface, not at it
-  bool pressure_on_inner_face = false;      ///< pressure per area of the inner face
+  SleeveContact contact;
   /// Integration of a shell: full, reduced; empty: a membrane. Seam and ends of a shell keep their directors, which a
   /// tube without seam and ends would do, so that they make no edge layer of bending.
   std::string shell;
