@@ -47,7 +47,7 @@ const std::vector<Order> orders = {
     {"thigh", "hip", 0.70, "two thighs have to fit below the hip"},
     {"hip", "thigh", 2.1, "two thighs carry the hip"},
     {"knee", "thigh", 0.85, "the leg gets thinner from thigh to knee"},
-    {"knee", "calf", 1.0, "the calf is the greatest girth below the knee"},
+    {"knee", "calf", 0.985, "the calf is the greatest girth below the knee"},
     {"ankle", "calf", 0.85, "the ankle is the smallest girth below the calf"},
     {"calf", "thigh", 0.85, "the leg gets thinner from the thigh down"},
     {"wrist", "upper arm", 0.85, "the arm gets thinner from the shoulder to the wrist"},

@@ -11,7 +11,7 @@ namespace {
 constexpr int scan_levels = 400;
 // Shares of the square of the height.
 constexpr double least_trunk_area = 1e-3, least_limb_area = 1.2e-4;
-constexpr double change = 1.03;  // of a girth that counts as one
+constexpr double change = 1.015;  // of a girth that counts as one
 
 double middle_of(const Sections& sections, const Extent& extent) {
   std::vector<double> centres;

@@ -63,9 +63,9 @@ inline const char* side_name(int side) {
 
 /// Girths along a limb, or something else along a line.
 using Course = std::vector<std::pair<double, double>>;
-/// Number of the smallest value behind which it grows by 3 %; -1: it never does.
+/// Number of the smallest value behind which it grows by 1.5 %; -1: it never does.
 int first_narrow(const Course& course);
-/// Number of the greatest value behind which it falls by 3 %; -1: it never does.
+/// Number of the greatest value behind which it falls by 1.5 %; -1: it never does.
 int first_wide(const Course& course);
 /// How much it changes round each place, two to either side, as a part of the value; without the two at each end.
 Course relative_changes(const Course& course);
