@@ -41,19 +41,22 @@ TEST_F(Draped, BothWaysHaveTheSamePressure) {
   EXPECT_LT(largest_error({{drape, ""}, {settle, sew + settle}}), 0.01);
 }
 
-// A pattern that is far too small is refused with the stretch that it would need, and so is a shell that takes the
-// placed shape as its stress-free one: it would forget how it was stretched, and press nowhere.
+// A pattern that is far too small is refused with the stretch that it would need, and can be looked at; and so is a
+// shell that takes the placed shape as its stress-free one: it would forget how it was stretched, and press nowhere.
 TEST_F(Draped, RefusesWhatCannotBeDraped) {
   write_scene("draped", {{"value=\"145\"", "value=\"40\""}});
-  const Outcome narrow = toile("check scene.xml");
+  const Outcome narrow = toile("check scene.xml --output start");
   EXPECT_EQ(narrow.status, 2);
+  EXPECT_TRUE(exists("start/start.exo"));
+  EXPECT_EQ(toile("run scene.xml").status, 2);
   write_scene("draped", {{"<ParameterList name=\"Placement\">",
                           "<ParameterList name=\"Shell\"><Parameter name=\"stress-free\" type=\"string\" "
                           "value=\"placed\"/></ParameterList><ParameterList name=\"Placement\">"}});
   const Outcome curved = toile("check scene.xml");
   EXPECT_EQ(curved.status, 2);
   EXPECT_THAT(curved.err, HasSubstr("takes the placed shape as stress-free would forget that"));
-  EXPECT_THAT(narrow.err, HasSubstr("the pattern is too small for the body: its sides would be stretched up to "));
+  EXPECT_THAT(narrow.err, HasSubstr("the pattern is too small for the body, or a panel hangs on a limb: a side of an "
+                                    "element of panel \""));
 }
 
 }  // namespace

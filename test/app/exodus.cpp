@@ -73,4 +73,23 @@ double ExodusStep::global(const std::string& name) const {
   return values[static_cast<size_t>(v - 1)];
 }
 
+std::vector<double> ExodusStep::element(const std::string& name) const {
+  const OpenFile exodus(file_);
+  const int v = variable(exodus.id, EX_ELEM_BLOCK, name);
+  if (v == 0) return {};
+  std::vector<int> blocks(static_cast<size_t>(ex_inquire_int(exodus.id, EX_INQ_ELEM_BLK)));
+  ex_get_ids(exodus.id, EX_ELEM_BLOCK, blocks.data());
+  std::vector<double> all;
+  for (const int id : blocks) {
+    ex_block block{};
+    block.id = id;
+    block.type = EX_ELEM_BLOCK;
+    ex_get_block_param(exodus.id, &block);
+    std::vector<double> values(static_cast<size_t>(block.num_entry));
+    if (ex_get_var(exodus.id, steps, EX_ELEM_BLOCK, v, id, block.num_entry, values.data()) >= 0)
+      all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
 }  // namespace toile::test

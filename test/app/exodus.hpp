@@ -16,6 +16,8 @@ struct ExodusStep {
   explicit ExodusStep(const std::string& file);
   /// A nodal field by its name, [node].
   std::vector<double> nodal(const std::string& name) const;
+  /// A field of elements, of all blocks that have it one after another.
+  std::vector<double> element(const std::string& name) const;
   /// A value of the whole model by its name; not a number if there is none.
   double global(const std::string& name) const;
 

@@ -62,7 +62,7 @@ constexpr double radius = 50.0;
 TEST(Drape, TubeComesRoundACylinder) {
   Tube tube(175.0);
   const body::SurfacePtr cylinder = body::elliptic_cylinder(radius, radius, {});
-  const Outcome outcome = drape(tube.mesh, tube.clusters, *cylinder, {});
+  const Outcome outcome = drape(tube.mesh, tube.clusters, {}, *cylinder, {});
   EXPECT_LT(outcome.largest_opening, 0.2);
   EXPECT_LT(outcome.largest_stretch, 1.03);
   for (const std::vector<int>& cluster : tube.clusters)
@@ -79,10 +79,21 @@ TEST(Drape, TubeComesRoundACylinder) {
 TEST(Drape, NarrowTubeIsStretched) {
   const double width = M_PI * (radius + 1.0) / 1.2;
   Tube tube(width);
-  const Outcome outcome = drape(tube.mesh, tube.clusters, *body::elliptic_cylinder(radius, radius, {}), {});
+  const Outcome outcome = drape(tube.mesh, tube.clusters, {}, *body::elliptic_cylinder(radius, radius, {}), {});
   EXPECT_LT(outcome.largest_opening, 0.2);
   EXPECT_NEAR(tube.girth(3) / (2.0 * width), 1.2, 0.01);
   EXPECT_LT(outcome.largest_stretch, 1.25);
+}
+
+// An edge that is held in height stays at its height, while the rest of the tube settles where it may.
+TEST(Drape, HeldEdgeKeepsItsHeight) {
+  Tube tube(130.0);
+  std::vector<Held> held;
+  for (const int panel : {0, 1})
+    for (int i = 0; i <= Tube::across; ++i)
+      for (const int j : {0, Tube::along}) held.push_back({Tube::node(panel, i, j), mesh::Vec3::UnitZ()});
+  drape(tube.mesh, tube.clusters, held, *body::elliptic_cylinder(radius, radius, {}), {});
+  for (const Held& h : held) EXPECT_DOUBLE_EQ(tube.mesh.placed[h.node].z(), tube.mesh.pattern[h.node].y());
 }
 
 // Rounds that do not suffice leave a seam open, and the outcome says which.
@@ -90,7 +101,7 @@ TEST(Drape, TooFewRoundsLeaveASeamOpen) {
   Tube tube(175.0);
   Options few;
   few.most_rounds = 10;
-  const Outcome outcome = drape(tube.mesh, tube.clusters, *body::elliptic_cylinder(radius, radius, {}), few);
+  const Outcome outcome = drape(tube.mesh, tube.clusters, {}, *body::elliptic_cylinder(radius, radius, {}), few);
   EXPECT_EQ(outcome.rounds, 10);
   EXPECT_GT(outcome.largest_opening, 50.0);
   ASSERT_GE(outcome.widest, 0);

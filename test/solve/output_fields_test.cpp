@@ -19,11 +19,14 @@ std::set<std::string> names_of(const std::vector<solve::NamedField>& fields) {
 }
 
 // Each field of nodes and elements that is declared is written with a value a node or element of all panels, once, with
-// its unit; those of wrinkles only where fabric wrinkles.
+// its unit; those of wrinkles only where fabric wrinkles, that of crossings only if they are looked for.
 TEST(OutputFields, EveryDeclaredFieldIsWritten) {
   Sleeve sleeve(options(), neo_hookean());
   sleeve.add_copy(200.0);
-  const solve::Fields fields = solve::compute_fields(sleeve.problem, solve::placed_state(sleeve.problem));
+  const solve::State placed = solve::placed_state(sleeve.problem);
+  EXPECT_EQ(names_of(solve::element_fields(solve::compute_fields(sleeve.problem, placed))).count("crossing"), 0U);
+  sleeve.problem.crossings = true;
+  const solve::Fields fields = solve::compute_fields(sleeve.problem, placed);
   const auto nodal = solve::nodal_fields(sleeve.problem, fields);
   const auto element = solve::element_fields(fields);
   EXPECT_EQ(names_of(nodal).size(), nodal.size());

@@ -31,6 +31,7 @@ int check(const CheckArguments& arguments) {
     run::write_start(session, arguments.output);
   }
   run::tell_start(session.start_report(), log);
+  scene.check_drape();
   log.info(arguments.scene + ": valid. " + std::to_string(scene.garment().mesh.nodes()) + " nodes, " +
            std::to_string(scene.garment().mesh.elements()) + " elements, " +
            std::to_string(scene.garment().seams.size()) + " seams, " + std::to_string(scene.stages().size()) +

@@ -42,9 +42,10 @@ std::vector<Side> sides_of(const mesh::Mesh& mesh) {
 
 class Draping {
  public:
-  Draping(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
-          const Options& options)
+  Draping(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const std::vector<Held>& held,
+          const body::Surface& body, const Options& options)
       : mesh_(mesh),
+        held_(held),
         body_(body),
         options_(options),
         at_(mesh.placed),
@@ -68,7 +69,7 @@ class Draping {
       if (outcome.last_move < at_rest) break;
     }
     tie();
-    outcome.largest_stretch = largest_stretch();
+    find_largest_stretch(outcome);
     mesh_.placed = at_;
     mesh_.normal = nodal_normals(mesh_);
     return outcome;
@@ -94,6 +95,10 @@ class Draping {
       Vec3 move = at_[n] - before[n];
       if (move.norm() > options_.largest_move) at_[n] = before[n] + move * (options_.largest_move / move.norm());
       push_out(n, (at_[n] - before[n]).norm());
+    }
+    for (const Held& held : held_)
+      at_[held.node] += held.direction.dot(mesh_.placed[held.node] - at_[held.node]) * held.direction;
+    for (std::size_t n = 0; n < at_.size(); ++n) {
       largest = std::max(largest, (at_[n] - before[n]).norm());
     }
     return largest;
@@ -147,14 +152,17 @@ class Draping {
     }
   }
 
-  double largest_stretch() const {
-    double largest = 1.0;
-    for (const Side& side : sides_)
-      if (!side.diagonal) largest = std::max(largest, (at_[side.a] - at_[side.b]).norm() / side.length);
-    return largest;
+  void find_largest_stretch(Outcome& outcome) const {
+    for (const Side& side : sides_) {
+      const double stretch = (at_[side.a] - at_[side.b]).norm() / side.length;
+      if (side.diagonal || stretch <= outcome.largest_stretch) continue;
+      outcome.largest_stretch = stretch;
+      outcome.most_stretched = side.a;
+    }
   }
 
   mesh::Mesh& mesh_;
+  const std::vector<Held>& held_;
   const body::Surface& body_;
   const Options& options_;
   std::vector<Vec3> at_;
@@ -165,9 +173,9 @@ class Draping {
 
 }  // namespace
 
-Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const body::Surface& body,
-              const Options& options) {
-  return Draping(mesh, clusters, body, options).run();
+Outcome drape(mesh::Mesh& mesh, const std::vector<std::vector<int>>& clusters, const std::vector<Held>& held,
+              const body::Surface& body, const Options& options) {
+  return Draping(mesh, clusters, held, body, options).run();
 }
 
 base::Spec drape_spec() {

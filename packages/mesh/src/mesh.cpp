@@ -1,5 +1,7 @@
 #include "toile/mesh/mesh.hpp"
 
+#include <algorithm>
+
 #include <cmath>
 
 namespace toile::mesh {
@@ -8,6 +10,12 @@ int Mesh::elements() const {
   int count = 0;
   for (const Block& block : blocks) count += block.size();
   return count;
+}
+
+const MeshedPanel& Mesh::panel_of_node(int node) const {
+  const auto after = std::upper_bound(panels.begin(), panels.end(), node,
+                                      [](int n, const MeshedPanel& panel) { return n < panel.first; });
+  return *std::prev(after);
 }
 
 double pattern_area(const Mesh& mesh, const Block& block, std::size_t element) {

@@ -30,7 +30,7 @@ std::string header(const FieldName& name) {
 
 void write_header(std::ostream& out, const Table& table) {
   const char* separator = "";
-  if (!table.row_names.empty()) {
+  if (!table.row_names.empty() || !table.row_title.empty()) {
     out << cell(table.row_title);
     separator = ",";
   }
@@ -38,7 +38,7 @@ void write_header(std::ostream& out, const Table& table) {
     out << separator << header(column.name);
     separator = ",";
   }
-  if (!table.texts.empty()) {
+  if (!table.texts.empty() || !table.text_title.empty()) {
     out << separator << cell(table.text_title);
   }
   out << '\n';

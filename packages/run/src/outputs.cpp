@@ -23,6 +23,8 @@ namespace toile::run {
   OUTPUT(pressure)            \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
+  OUTPUT(crossing_warnings)   \
+  OUTPUT(crossings)           \
   OUTPUT(slides)              \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
@@ -47,6 +49,7 @@ std::vector<std::string> output_files() {
 }
 
 void add_outputs(Session& session, const OutputOptions& options) {
+  session.scene().check_drape();
   const bool writes = !options.folder.empty();
   if (writes) check_names(session.scene(), session.list());
   on_first_rank([&] {

@@ -84,6 +84,7 @@ void Session::resume(const std::string& restart_file) {
 
 void Session::run() {
   if (std::exchange(ran_, true)) throw base::Error(base::ExitCode::internal_error, "a session runs once");
+  scene_.check_drape();
   identify();
   if (!resumed_) tell_start(start_report(), log_);
   notify([this](Observer& o) { o.start(record_); });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toile/base/error.hpp"
+#include "toile/crossing/crossings.hpp"
 #include "toile/garment/bent_axis.hpp"
 #include "toile/mesh/find_nodes.hpp"
 
@@ -116,6 +117,9 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   } catch (const base::InputError& error) {
     list.fail("body size", error.what());
   }
+  out.crossings = list.flag("crossings");
+  if (out.crossings && list.given("crossings") && !crossing::available())
+    list.fail("crossings", "needs CGAL, and this program was built without it (configured with TOILE_ENABLE_BODY=OFF)");
   if (list.has_list("Levels"))
     for (const base::List& entry : list.list("Levels").entries())
       out.levels.push_back({entry.name(), entry.real("height")});

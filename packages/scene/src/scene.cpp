@@ -8,6 +8,7 @@
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
+#include "toile/crossing/crossings.hpp"
 #include "toile/drape/drape.hpp"
 #include "toile/element/element.hpp"
 #include "toile/mesh/partition.hpp"
@@ -86,7 +87,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   }
   if (const auto drape = optional_list(list, "Drape")) {
     const auto phase = timer.phase("drape");
-    drape_garment(*drape);
+    drape_garment(list, *drape);
   }
   build_laws(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
@@ -105,11 +106,31 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     build_problem(list, ranks);
   }
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  problem_.crossings = output_.crossings && crossing::available();
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   list_modules(ranks);
 }
 
-void Scene::drape_garment(const base::List& list) {
+// What supports hold in a direction of space stays where it is placed; along the limb has a meaning on the body only.
+std::vector<drape::Held> Scene::held_while_draped(const base::List& scene) const {
+  std::vector<drape::Held> all;
+  const auto list = optional_list(scene, "Supports");
+  if (!list) return all;
+  solve::Problem placed;
+  placed.mesh = &garment_.mesh;
+  placed.surface = surface_.get();
+  const std::vector<base::List> entries = list->entries();
+  const std::vector<solve::Support> supports = solve::read_supports(*list, placed);
+  for (size_t s = 0; s < supports.size(); ++s) {
+    if (entries[s].word("hold") == "along the limb") continue;
+    for (size_t k = 0; k < supports[s].nodes.size(); ++k)
+      for (Eigen::Index i = 0; i < 3; ++i)
+        if (supports[s].held[static_cast<size_t>(i)]) all.push_back({supports[s].nodes[k], supports[s].axis(k, i)});
+  }
+  return all;
+}
+
+void Scene::drape_garment(const base::List& scene, const base::List& list) {
   constexpr double closed = 1.0;          // mm
   constexpr double most_stretched = 3.0;  // length over pattern length
   if (surface_ == nullptr) list.fail("distance", "is from a body, and the scene has none (list \"Body\")");
@@ -119,21 +140,42 @@ void Scene::drape_garment(const base::List& list) {
                 "belongs to a drape, which stretches what is placed; a panel whose list \"Shell\" takes the "
                 "placed shape as stress-free would forget that. Take the flat pattern (\"stress-free\")");
   const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
-  const drape::Outcome outcome = drape::drape(garment_.mesh, clusters.members, *surface_, drape::read_options(list));
+  const drape::Outcome outcome =
+      drape::drape(garment_.mesh, clusters.members, held_while_draped(scene), *surface_, drape::read_options(list));
+  const auto place = [this](int node) {
+    std::ostringstream text;
+    text.precision(4);
+    const mesh::Vec3& at = garment_.mesh.placed[node];
+    text << " near (" << at[0] << ", " << at[1] << ", " << at[2] << ") mm";
+    return text.str();
+  };
+  constexpr const char* look = ". \"toile check SCENE --output FOLDER\" writes how the panels lie, to be looked at";
   std::ostringstream text;
+  text.precision(4);
+  const char* parameter = "distance";
   if (outcome.largest_stretch > most_stretched) {
-    text << "the pattern is too small for the body: its sides would be stretched up to " << outcome.largest_stretch
-         << " times, and knits stand " << most_stretched << ". Check its unit and size against the body's";
-    list.fail("distance", text.str());
+    text << "the pattern is too small for the body, or a panel hangs on a limb: a side of an element of panel \""
+         << garment_.mesh.panel_of_node(outcome.most_stretched).name << "\" is stretched " << outcome.largest_stretch
+         << " times" << place(outcome.most_stretched) << ", and knits stand " << most_stretched
+         << ". Check the unit and size of the pattern against the body's, and from where the panel comes" << look;
+  } else if (outcome.largest_opening > closed) {
+    parameter = "most rounds";
+    const auto widest = static_cast<size_t>(outcome.widest);
+    text << "after " << outcome.rounds << " rounds the seam \"" << garment::seam_names(clusters, garment_.seams)[widest]
+         << "\" is still open by " << outcome.largest_opening << " mm" << place(clusters.members[widest].front())
+         << ": a panel may hang on a limb that is in its way" << look;
+  } else {
+    return;
   }
-  if (outcome.largest_opening <= closed) return;
-  const int node = clusters.members[static_cast<size_t>(outcome.widest)].front();
-  const mesh::Vec3& at = garment_.mesh.placed[node];
-  text << "after " << outcome.rounds << " rounds the seam \""
-       << garment::seam_names(clusters, garment_.seams)[static_cast<size_t>(outcome.widest)] << "\" is still open by "
-       << outcome.largest_opening << " mm near (" << at[0] << ", " << at[1] << ", " << at[2]
-       << ") mm: a panel may hang on a limb that is in its way";
-  list.fail("most rounds", text.str());
+  try {
+    list.fail(parameter, text.str());
+  } catch (const base::InputError& error) {
+    drape_fault_ = error.what();
+  }
+}
+
+void Scene::check_drape() const {
+  if (!drape_fault_.empty()) throw base::InputError(drape_fault_);
 }
 
 void Scene::build_laws(const base::List& list, const material::Laws& laws) {

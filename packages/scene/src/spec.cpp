@@ -57,6 +57,11 @@ Spec output_spec() {
                Range::between(0, 10000))
       .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
             Range::positive())
+      .flag("crossings",
+            "Whether fabric that passes through itself or through other panels is looked for: at the start, in every "
+            "written state and at the end of each stage, which warns. Elements that have a node or a seam in common do "
+            "not count, nor does fabric that lies on fabric (less than a tenth of an element's side deep).",
+            true)
       .list(Spec("Levels", "Named heights, for instance the hosiery levels.").entries(level))
       .list(Spec("Force curves", "Force against stretch, as in a tensile test.").entries(curve))
       .list(Spec("Distances", "Distances that are followed, for instance the width of a necking strip.")

@@ -110,6 +110,7 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   report.lines.push_back(mesh_line(scene.garment().mesh));
   append(report.warnings, forgotten_seam_warnings(scene));
   if (report.errors.empty()) append(report.warnings, held_seam_warnings(scene));
+  append(report.warnings, crossing_warnings(scene));
   append(report.warnings, scene.body().warnings);
   append(report.warnings, scale_warnings(scene.body(), panels));
   append(report.warnings, girth_warnings(panels));

@@ -5,6 +5,8 @@
 
 #include "start_text.hpp"
 #include "toile/base/units.hpp"
+#include "toile/crossing/crossings.hpp"
+#include "toile/solve/fields.hpp"
 
 namespace toile::scene {
 
@@ -164,6 +166,17 @@ Texts forgotten_seam_warnings(const Scene& scene) {
     texts.push_back(edges.first + " and " + edges.second + " face each other on the body, " + short_number(edges.gap) +
                     " mm apart, and are not sewn: is a seam forgotten?");
   return texts;
+}
+
+Texts crossing_warnings(const Scene& scene) {
+  const solve::Problem& problem = scene.problem();
+  if (!problem.crossings) return {};
+  const crossing::Crossings found =
+      crossing::find_crossings(*problem.mesh, problem.clusters, solve::node_positions(problem, scene.start()));
+  if (found.panels.empty()) return {};
+  return {"the fabric starts passed through fabric: " + text_of(found, *problem.mesh) +
+          ". Nothing will bring it out: fabric is in contact with the body only. Place the panels so that none is in "
+          "the way of another"};
 }
 
 Texts seam_errors(const Scene& scene, const base::List& list, const std::vector<SeamStart>& seams) {

@@ -26,6 +26,8 @@ std::vector<std::string> loose_warnings(const std::vector<LoosePart>& parts, boo
 std::vector<std::string> seam_warnings(const garment::Seam& seam, const SeamStart& start);
 /// Sides of panels that face each other on a body and are not sewn.
 std::vector<std::string> forgotten_seam_warnings(const Scene& scene);
+/// Fabric that passes through fabric where it starts.
+std::vector<std::string> crossing_warnings(const Scene& scene);
 /// Messages on seams that cannot be wanted; `list`: of the scene.
 std::vector<std::string> seam_errors(const Scene& scene, const base::List& list, const std::vector<SeamStart>& seams);
 

@@ -21,6 +21,7 @@ struct FieldPoint {
   bool extrapolated;
   int wrinkle_state;    ///< 0 where the fabric does not relax
   const double* crest;  ///< [3]
+  double crossing;      ///< of the whole element, mm
 
   double mean() const { return 0.5 * (C[0] + C[1]); }
   double radius() const { return std::hypot(0.5 * (C[0] - C[1]), C[2]); }
@@ -40,9 +41,18 @@ struct ElementField {
   const char* text;
   double (*value)(const FieldPoint& point, int component);
   Over over = Over::mean;
-  bool of_wrinkles = false;  ///< there only if a material relaxes
+  bool (*is_there)(const Problem& problem) = [](const Problem&) { return true; };
   int components = 1;
 };
+
+bool relaxes(const Problem& problem) {
+  return std::any_of(problem.models.begin(), problem.models.end(),
+                     [](const BlockModel& model) { return model.material->response().relaxes(); });
+}
+
+bool looks_for_crossings(const Problem& problem) {
+  return problem.crossings;
+}
 
 // One entry a field: what is written, described and documented comes from here.
 // Tension along the deformed yarns: h e.sigma.e = h0 e.F S F^T.e / area stretch, with e = F N / |F N|.
@@ -85,17 +95,16 @@ const ElementField table[] = {
     {"wrinkle_state", "",
      "0 taut, 1 wrinkled, 2 slack: the largest in the element. Only where a fabric's `compression` is relaxed; of "
      "shells at the mid-surface",
-     [](const FieldPoint& p, int) { return static_cast<double>(p.wrinkle_state); }, Over::largest, true},
+     [](const FieldPoint& p, int) { return static_cast<double>(p.wrinkle_state); }, Over::largest, relaxes},
     {"wrinkle", "", "unit vector along the crests of the wrinkles; zero where there are none",
-     [](const FieldPoint& p, int d) { return p.crest[d]; }, Over::line, true, 3},
+     [](const FieldPoint& p, int d) { return p.crest[d]; }, Over::line, relaxes, 3},
+    {"crossing", "mm",
+     "length of the lines along which the element passes through fabric that it is not joined to; 0 where none does. "
+     "Only with `crossings` of the list Output",
+     [](const FieldPoint& p, int) { return p.crossing; }, Over::largest, looks_for_crossings},
 };
 
-bool relaxes(const Problem& problem) {
-  return std::any_of(problem.models.begin(), problem.models.end(),
-                     [](const BlockModel& model) { return model.material->response().relaxes(); });
-}
-
-FieldPoint fabric_point(const element::PointFields& f, size_t point, double thickness) {
+FieldPoint fabric_point(const element::PointFields& f, size_t point, double thickness, double crossing) {
   static constexpr double no_crest[3] = {};
   const bool wrinkles = !f.wrinkle_state.empty();
   return {&f.C[3 * point],
@@ -106,7 +115,8 @@ FieldPoint fabric_point(const element::PointFields& f, size_t point, double thic
           f.thickness_stretch[point],
           f.status[point] == material::point_extrapolated,
           wrinkles ? static_cast<int>(f.wrinkle_state[point]) : 0,
-          wrinkles ? &f.wrinkle_crest[3 * point] : no_crest};
+          wrinkles ? &f.wrinkle_crest[3 * point] : no_crest,
+          crossing};
 }
 
 using Components = std::array<double, 3>;
@@ -148,13 +158,12 @@ std::vector<OutputField> declared_element_fields() {
 }
 
 std::vector<NamedField> element_values(const Problem& problem, const element::PointFields& points, int elements,
-                                       double thickness) {
+                                       double thickness, const double* crossing) {
   const size_t count = static_cast<size_t>(elements), per = count > 0 ? points.status.size() / count : 0;
-  const bool with_wrinkles = relaxes(problem);
   std::vector<NamedField> all;
   std::vector<const ElementField*> of;
   for (const ElementField& field : table) {
-    if (field.of_wrinkles && !with_wrinkles) continue;
+    if (!field.is_there(problem)) continue;
     of.push_back(&field);
     for (int c = 0; c < field.components; ++c)
       all.push_back({component_name(field.name, field.components, c), field.unit, std::vector<double>(count)});
@@ -162,7 +171,8 @@ std::vector<NamedField> element_values(const Problem& problem, const element::Po
   std::vector<FieldPoint> of_element;
   for (size_t e = 0; e < count; ++e) {
     of_element.clear();
-    for (size_t q = 0; q < per; ++q) of_element.push_back(fabric_point(points, e * per + q, thickness));
+    for (size_t q = 0; q < per; ++q)
+      of_element.push_back(fabric_point(points, e * per + q, thickness, crossing != nullptr ? crossing[e] : 0.0));
     auto out = all.begin();
     for (const ElementField* field : of) {
       const Components value = combined(*field, of_element);

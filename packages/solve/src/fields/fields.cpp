@@ -47,7 +47,8 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
   for (size_t i = 0; i < areas.size(); ++i) out.area[block.connectivity[i]] += areas[i];
 
   const element::PointFields points = model.element->fields(arrays.batch());
-  out.element.push_back(element_values(problem, points, block.size(), model.material->thickness()));
+  const double* crossing = problem.crossings ? &out.crossings.length[out.tension.size()] : nullptr;
+  out.element.push_back(element_values(problem, points, block.size(), model.material->thickness(), crossing));
   const std::vector<Eigen::Matrix3d> tensions = mean_tensions(model, arrays.batch());
   out.tension.insert(out.tension.end(), tensions.begin(), tensions.end());
   const size_t per = static_cast<size_t>(model.element->points());
@@ -81,6 +82,7 @@ Fields compute_fields(const Problem& problem, const State& state) {
   out.normal.assign(nodes, Vec3::Zero());
   out.area.assign(nodes, 0.0);
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();
+  if (problem.crossings) out.crossings = crossing::find_crossings(*problem.mesh, problem.clusters, out.position);
   for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, state, out);
   if (problem.surface != nullptr) add_contact_pressure(problem, state, out);
   return out;

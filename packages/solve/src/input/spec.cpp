@@ -45,7 +45,10 @@ Spec solver_spec() {
       .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
       .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
-      .integer("most iterations", "Newton iterations of a step before it is cut back.", 60, Range::at_least(1))
+      .integer("most iterations",
+               "Newton iterations of a step before it is cut back. At the undamped end of a stage, where nothing can "
+               "be cut back, up to five times as many as long as the residual halves in every third of them.",
+               60, Range::at_least(1))
       .real("most time", "s", "Time after which the run ends where it is, with its last converged state; 0: no limit.",
             0.0, Range::at_least(0));
 }

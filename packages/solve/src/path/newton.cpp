@@ -25,6 +25,18 @@ const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector) {
   return vector;
 }
 
+bool BalanceTest::took_too_many(double residual) {
+  constexpr int times = 5;
+  const int patience = options_.max_iterations / 3;
+  if (residual < 0.5 * halved_) {
+    halved_ = residual;
+    halved_at_ = iterations_;
+  }
+  if (iterations_ < options_.max_iterations) return false;
+  return !options_.while_converging || iterations_ >= times * options_.max_iterations ||
+         iterations_ - halved_at_ >= patience;
+}
+
 NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {
   const EquilibriumGroup& group = unwrap(solver.getSolutionGroup());
   iterations_ = solver.getNumIterations();
@@ -35,7 +47,7 @@ NOX::StatusTest::StatusType BalanceTest::checkStatus(const NOX::Solver::Generic&
     status_ = !accepts_ || accepts_(EquilibriumGroup::tpetra(group.getX()), group.parameter(), iterations_)
                   ? NOX::StatusTest::Converged
                   : NOX::StatusTest::Failed;
-  else if (!std::isfinite(left.force) || !std::isfinite(left.gap) || iterations_ >= options_.max_iterations)
+  else if (!std::isfinite(left.force) || !std::isfinite(left.gap) || took_too_many(left.relative()))
     status_ = NOX::StatusTest::Failed;
   Watch* watch = group.equilibrium().watch();
   if (watch != nullptr && !watch->go_on(iterations_, group.parameter(), left.relative(), left.gap) &&

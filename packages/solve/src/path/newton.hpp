@@ -30,8 +30,12 @@ class BalanceTest : public NOX::StatusTest::Generic {
   int iterations() const { return iterations_; }
 
  private:
+  bool took_too_many(double residual);
+
   NewtonOptions options_;
   AcceptsStep accepts_;
+  int halved_at_ = 0;      ///< iteration at which the residual was last half of `halved_`
+  double halved_ = 1e300;  ///< the residual there
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   Evaluation last_;
   int iterations_ = 0;

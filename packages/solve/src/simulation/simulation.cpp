@@ -191,6 +191,7 @@ void Simulation::Data::count_pivots(double s, StepReport& report) {
 bool Simulation::Data::solve(double s, double least_tolerance) {
   NewtonOptions newton = options.newton;
   newton.tolerance = std::max(newton.tolerance, least_tolerance);
+  newton.while_converging = relaxing && equilibrium->damping() == 0.0;
   const Attempt attempt = solve_at(equilibrium, stage, newton, *z, s);
   tries.iterations += attempt.iterations;
   statistics.newton_iterations += attempt.iterations;

@@ -12,7 +12,8 @@ struct Column {
   std::vector<double> values;
 };
 
-/// Columns of equal length, optionally with a text in front of each row and one behind it.
+/// Columns of equal length, optionally with a text in front of each row and one behind it: if these have a title, or
+/// there are some.
 struct Table {
   std::string row_title;
   std::vector<std::string> row_names;  ///< empty: none

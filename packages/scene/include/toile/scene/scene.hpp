@@ -11,6 +11,7 @@
 #include "toile/base/timer.hpp"
 #include "toile/body/body.hpp"
 #include "toile/body/surface.hpp"
+#include "toile/drape/drape.hpp"
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
@@ -56,6 +57,7 @@ struct Output {
   std::optional<mesh::BentAxis> bent_axis;  ///< instead of both
   int stations = 0;                         ///< of the pressure curve along the axis; 0: none
   double body_size = 5.0;                   ///< wanted edge length of the body's triangles, mm
+  bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
@@ -88,12 +90,16 @@ class Scene {
   const std::vector<Check>& checks() const { return checks_; }
   /// Where the run starts: seams are open if a stage sews them, closed otherwise.
   solve::State start() const;
+  /// Throws base::InputError if the garment could not be draped onto the body. It is there all the same, to be looked
+  /// at.
+  void check_drape() const;
   /// Modules of the program that this scene uses, and those it leaves out.
   const std::vector<std::string>& used() const { return used_; }
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
-  void drape_garment(const base::List& list);
+  std::vector<drape::Held> held_while_draped(const base::List& scene) const;
+  void drape_garment(const base::List& scene, const base::List& list);
   void build_laws(const base::List& list, const material::Laws& laws);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;
@@ -111,6 +117,7 @@ class Scene {
   solve::SolverOptions solver_;
   Output output_;
   std::vector<Check> checks_;
+  std::string drape_fault_;  ///< empty: none
   bool sews_ = false, damps_ = false;
   std::vector<std::string> used_, left_out_;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "toile/crossing/crossings.hpp"
 #include "toile/solve/problem.hpp"
 #include "toile/solve/simulation.hpp"
 
@@ -30,6 +31,7 @@ struct Fields {
   std::vector<double> gap;             ///< [node] mm, of the fabric's contact surface; 0 without a body
   std::vector<Vec3> normal;            ///< [node] of the body at the closest point
   std::vector<double> area;            ///< [node] current area that belongs to the node alone, mm^2
+  crossing::Crossings crossings;       ///< empty if they are not looked for
   /// [block] a value an element; the table is in element_fields.cpp
   std::vector<std::vector<NamedField>> element;
   /// [element] of all blocks: mean over its points of the force per current length in space, symmetric, N/mm

@@ -18,6 +18,8 @@ struct NewtonOptions {
   double tolerance = 1e-10;     ///< residual over the norm of the nodal forces that meet in it
   double gap_tolerance = 1e-6;  ///< largest gap of a node in contact, mm
   int max_iterations = 60;
+  /// Goes on beyond max_iterations, up to five times as many, as long as the residual halves in every third of them.
+  bool while_converging = false;
 };
 
 /// Artificial damping of a stage.

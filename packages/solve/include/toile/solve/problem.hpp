@@ -112,6 +112,7 @@ struct Problem {
   std::vector<FollowerPressure> pressures;
   const body::Surface* surface = nullptr;  ///< null: no contact is built
   ContactOptions contact;
+  bool crossings = false;  ///< fabric that passes through fabric is looked for in every state whose fields are computed
   std::vector<std::vector<int>> element_rank;  ///< [block][element] owner
   std::vector<int> cluster_rank;               ///< [cluster] owner, a rank that has an element touching it
 };
