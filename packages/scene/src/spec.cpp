@@ -46,8 +46,7 @@ Spec output_spec() {
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
       .reals("axis", "mm",
              "Instead of both, the axis of a bent limb: points x, y, z, x, y, z, ... or landmarks. Heights count along "
-             "it from the "
-             "first point; sections lie across it, and of those only the ones that surround it are told.",
+             "it from the first point; sections lie across it, and of those only the ones that surround it are told.",
              base::Reals{})
       .real("smoothing", "mm",
             "Of 'axis': length over which each corner is spread to either side; 0: the shortest distance of two "

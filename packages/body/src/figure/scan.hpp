@@ -72,6 +72,17 @@ Course relative_changes(const Course& course);
 /// Number of the place with the least relative change, away from both ends; -1 of fewer than five places.
 int steadiest(const Course& course);
 
+/// Mean of the places of a course, with weights by the values there.
+template <class Weight>
+double mean_place(const Course& course, const Weight& weight) {
+  double sum = 0.0, places = 0.0;
+  for (const auto& [place, value] : course) {
+    sum += weight(value);
+    places += weight(value) * place;
+  }
+  return places / sum;
+}
+
 /// Nearest points of two curves.
 std::pair<Vec3, Vec3> nearest_pair(const SectionPiece& first, const SectionPiece& second);
 
