@@ -187,13 +187,13 @@ void Arm::find() {
   double angle = 0.0;
   int elbow = bend_of(line, wrist, &angle);
   if (angle < least_bend) {  // a straight arm does not show it
-    const double along = shoulder + elbow_share * (line[wrist].along - shoulder);
+    const double along = std::min(shoulder + elbow_share * (line[wrist].along - shoulder), line[wrist].along);
     elbow = 0;
     while (line[elbow].along < along) {
       ++elbow;
     }
   }
-  const double half = 0.5 * (shoulder + line[elbow].along);
+  const double half = std::min(0.5 * (shoulder + line[elbow].along), line[elbow].along);
   int upper = 0;
   while (line[upper].along < half) {
     ++upper;

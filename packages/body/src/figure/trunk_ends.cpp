@@ -99,6 +99,13 @@ void find_crotch_and_armpits(const Finder& finder) {
 void find_neck(const Finder& finder) {
   const FigureScan& scan = finder.scan;
   const Landmark *left = finder.find("left armpit"), *right = finder.find("right armpit");
+  if (left == nullptr && right == nullptr && finder.find("crotch") == nullptr) {
+    // A ball has a greatest girth, too.
+    const std::string reason = "neither crotch nor armpits were found, so nothing tells that this is a human body";
+    finder.miss("crown", reason);
+    finder.miss("neck", reason);
+    return;
+  }
   double from = scan.bottom() + 0.6 * scan.height();
   if (left != nullptr || right != nullptr) {
     from = std::max(left != nullptr ? left->point.z() : from, right != nullptr ? right->point.z() : from);
