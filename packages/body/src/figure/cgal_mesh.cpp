@@ -4,10 +4,10 @@
 
 namespace toile::body {
 
-CgalMesh to_cgal(const TriangleMesh& mesh) {
+CgalMesh cgal_mesh(const TriangleMesh& mesh) {
   CgalMesh result;
   for (const Vec3& v : mesh.vertices) {
-    result.add_vertex(to_cgal(v));
+    result.add_vertex(cgal_point(v));
   }
   for (const auto& t : mesh.triangles) {
     const auto corner = [](int i) { return CgalMesh::Vertex_index(static_cast<CgalMesh::size_type>(i)); };
@@ -18,7 +18,7 @@ CgalMesh to_cgal(const TriangleMesh& mesh) {
   return result;
 }
 
-TriangleMesh to_triangles(const CgalMesh& mesh) {
+TriangleMesh triangles_of(const CgalMesh& mesh) {
   TriangleMesh result;
   std::vector<int> number(mesh.num_vertices() + mesh.number_of_removed_vertices(), -1);
   for (const auto v : mesh.vertices()) {

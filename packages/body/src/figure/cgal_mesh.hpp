@@ -11,7 +11,7 @@ using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalPoint = CgalKernel::Point_3;
 using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 
-inline CgalPoint to_cgal(const Vec3& v) {
+inline CgalPoint cgal_point(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 inline Vec3 to_vec(const CgalPoint& p) {
@@ -19,8 +19,8 @@ inline Vec3 to_vec(const CgalPoint& p) {
 }
 
 /// The mesh as CGAL has it, vertices and facets with the same numbers. Throws InputError if it is no surface.
-CgalMesh to_cgal(const TriangleMesh& mesh);
+CgalMesh cgal_mesh(const TriangleMesh& mesh);
 /// Its vertices and facets in their order, without those that were removed.
-TriangleMesh to_triangles(const CgalMesh& mesh);
+TriangleMesh triangles_of(const CgalMesh& mesh);
 
 }  // namespace toile::body

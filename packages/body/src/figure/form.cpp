@@ -17,9 +17,9 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 
 TriangleMesh remeshed(const TriangleMesh& mesh, double edge) {
-  CgalMesh surface = to_cgal(mesh);
+  CgalMesh surface = cgal_mesh(mesh);
   pmp::isotropic_remeshing(faces(surface), edge, surface, CGAL::parameters::number_of_iterations(4));
-  return to_triangles(surface);
+  return triangles_of(surface);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ TriangleMesh dress_form(const TriangleMesh& body, const Landmarks& landmarks, do
 }
 
 void check_intersections(const TriangleMesh& mesh, const std::string& when) {
-  const CgalMesh surface = to_cgal(mesh);
+  const CgalMesh surface = cgal_mesh(mesh);
   std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> pairs;
   pmp::self_intersections(surface, std::back_inserter(pairs));
   if (pairs.empty()) {

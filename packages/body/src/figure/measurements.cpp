@@ -65,7 +65,7 @@ double value_of(const std::vector<Measurement>& all, const std::string& name) {
 }
 
 /// Shares of the height that a body's measurement may be.
-constexpr double least_share = 0.5, greatest_share = 2.2;  // of the default body's share
+constexpr double least_part = 0.5, greatest_part = 2.2;  // of the default body's share
 
 void check_sizes(const std::vector<Measurement>& all) {
   constexpr double least_height = 1000.0, greatest_height = 2300.0;
@@ -75,9 +75,9 @@ void check_sizes(const std::vector<Measurement>& all) {
   }
   for (const Measurement& m : all) {
     const double usual = rule_of(m.name).value * height / rule_of("height").value;
-    if (!(m.value >= least_share * usual && m.value <= greatest_share * usual)) {
+    if (!(m.value >= least_part * usual && m.value <= greatest_part * usual)) {
       throw base::InputError(m.name + " " + cm(m.value) + " (" + m.source + "): no body of " + cm(height) +
-                             " has it; allowed are " + cm(least_share * usual) + " to " + cm(greatest_share * usual));
+                             " has it; allowed are " + cm(least_part * usual) + " to " + cm(greatest_part * usual));
     }
   }
 }

@@ -65,7 +65,7 @@ void measure(const Vec3& normal, SectionPiece* piece) {
 }  // namespace
 
 struct Sections::Data {
-  explicit Data(const TriangleMesh& triangles) : mesh(to_cgal(triangles)) {
+  explicit Data(const TriangleMesh& triangles) : mesh(cgal_mesh(triangles)) {
     const auto all = edges(mesh);
     tree.insert(all.first, all.second, mesh);
     tree.build();
@@ -103,8 +103,8 @@ std::vector<SectionPiece> Sections::cut(const Vec3& point, const Vec3& normal) c
 double Sections::length_on_surface(const Vec3& from, const Vec3& to) const {
   FaceTree faces_tree(faces(data_->mesh).first, faces(data_->mesh).second, data_->mesh);
   Paths paths(data_->mesh);
-  const auto start = paths.locate(to_cgal(from), faces_tree);
-  const auto end = paths.locate(to_cgal(to), faces_tree);
+  const auto start = paths.locate(cgal_point(from), faces_tree);
+  const auto end = paths.locate(cgal_point(to), faces_tree);
   paths.add_source_point(start.first, start.second);
   const double length = paths.shortest_distance_to_source_points(end.first, end.second).first;
   return length < 0.0 ? std::numeric_limits<double>::infinity() : length;

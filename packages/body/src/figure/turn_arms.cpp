@@ -13,12 +13,12 @@
 namespace toile::body {
 namespace {
 
-constexpr double degree = M_PI / 180.0;
+constexpr double radians_per_degree = M_PI / 180.0;
 
 double angle_of_side(const Landmarks& landmarks, int side) {
   const std::string name = side > 0 ? "left " : "right ";
   const Vec3 along = landmarks.at(name + "elbow").point - landmarks.at(name + "upper arm").point;
-  return std::atan2(-along.z(), side * along.x()) / degree;
+  return std::atan2(-along.z(), side * along.x()) / radians_per_degree;
 }
 
 /// Smooth weights from 0 on the trunk to 1 on the arm; what is neither decides the least bending.
@@ -52,7 +52,7 @@ void turn_arm(const Landmarks& landmarks, int side, double angle, TriangleMesh* 
     const Vec3 away = form->vertices[v] - joint;
     trunk[v] = !arm[v] && !outside[v] && away.norm() > 1.1 * reach;
   }
-  const double turn = side * (angle - angle_of_side(landmarks, side)) * degree;
+  const double turn = side * (angle - angle_of_side(landmarks, side)) * radians_per_degree;
   const Eigen::VectorXd weight = weights(*form, arm, trunk);
   for (std::size_t v = 0; v < form->vertices.size(); ++v) {
     const Eigen::AngleAxisd rotation(weight[v] * turn, Vec3::UnitY());
