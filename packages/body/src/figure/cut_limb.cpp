@@ -13,9 +13,9 @@ namespace toile::body {
 namespace {
 
 /// What is kept of a mesh, with the curve along which it was cut.
-class Cut {
+class LimbCut {
  public:
-  Cut(const TriangleMesh& mesh, const std::vector<char>& off, const Vec3& point, const Vec3& normal)
+  LimbCut(const TriangleMesh& mesh, const std::vector<char>& off, const Vec3& point, const Vec3& normal)
       : mesh_(mesh), off_(off), point_(point), normal_(normal), number_(mesh.vertices.size(), -1) {
     for (const auto& t : mesh.triangles) {
       add(t);
@@ -203,7 +203,7 @@ std::vector<char> beyond(const TriangleMesh& mesh, const Vec3& point, const Vec3
 }
 
 TriangleMesh cut_off(const TriangleMesh& mesh, const Vec3& point, const Vec3& normal, double height, double edge) {
-  Cut cut(mesh, beyond(mesh, point, normal), point, normal);
+  LimbCut cut(mesh, beyond(mesh, point, normal), point, normal);
   const std::vector<std::vector<int>> rims = closed_curves(cut.rim);
   const auto longest = std::max_element(rims.begin(), rims.end(), [&cut](const auto& a, const auto& b) {
     return length_of(a, cut.kept) < length_of(b, cut.kept);
