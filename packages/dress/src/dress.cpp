@@ -51,6 +51,7 @@ class Dressing {
     dressed.tightest = tightest_of(dressed.girths);
     dressed.fitting_scale = fitting_scale(dressed.tightest.stretch());
     dressed.lowest = placed.lowest;
+    dressed.armholes = placed.underarm;
     dressed.highest = placed.highest;
     check(dressed);
     dressed.lines = lines_of(placed, dressed);

@@ -128,14 +128,16 @@ class Placing {
     return placed_.lowest + lift + std::max(wearer_.detour(at, armhole, true), wearer_.detour(at, armhole, false));
   }
 
-  /// Turns a sleeve about the highest point of its cap until it goes along the arm, from where it is sewn to the trunk.
+  /// Turns a sleeve about the highest point of its cap towards the arm, and moves it to where it is sewn to the trunk.
   void turn_sleeve(int side) {
     const Arm arm = wearer_.arm(side);
     const SleeveShape shape = shape_of_sleeve(placed_, side);
     const Vec3 to = Vec3(arm.direction.x(), arm.direction.y(), 0.0).normalized();
     const double angle = std::atan2(shape.direction.x() * to.y() - shape.direction.y() * to.x(),
                                     shape.direction.x() * to.x() + shape.direction.y() * to.y());
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    // All the way, the underarm seam would start in front of the chest; not at all, above the arm.
+    constexpr double part_of_turn = 0.6;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(part_of_turn * angle, Vec3::UnitZ()).toRotationMatrix();
     Vec3 tip(0.0, -infinite, 0.0);
     each_trunk_edge([&](const Panel& of, const pattern::Edge& edge, const std::vector<Vec3>& points) {
       for (const std::string& name : sewing_.partners(of, edge))
@@ -143,7 +145,9 @@ class Placing {
           for (const Vec3& at : points)
             if (at.y() > tip.y()) tip = at;
     });
+    // The trunk starts higher than it ends, by its way over bust and back; the sleeve starts where the arm is.
     constexpr double clearance = 10.0;  // mm
+    if (const std::optional<double> top = wearer_.top(tip.x())) tip.y() = std::min(tip.y(), *top + clearance);
     const Vec3 target = tip + clearance * to;
     for (const Part& part : placed_.parts) {
       if (part.side != side) continue;

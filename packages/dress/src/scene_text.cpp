@@ -69,8 +69,11 @@ void add_supports(Node scene, const Dressed& dressed) {
 
 void add_levels(Node scene, const Dressed& dressed) {
   Node levels = list(list(scene, "Output"), "Levels");
+  // The garment shortens where it is stretched, and is open at the armholes.
+  const double below = dressed.lowest + 0.9 * (dressed.armholes - dressed.lowest);
   for (const Girth& girth : dressed.girths)
-    if (girth.of == "trunk") set(list(levels, decimals(girth.at, 0) + " mm"), "height", "double", exact(girth.at));
+    if (girth.of == "trunk" && girth.at < below)
+      set(list(levels, decimals(girth.at, 0) + " mm"), "height", "double", exact(girth.at));
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct Dressed {
   std::vector<Girth> girths;      ///< of the trunk from the hem up to the armholes, then of the sleeves
   Girth tightest;                 ///< of them, the one with the largest stretch
   double fitting_scale = 1.0;     ///< of the pattern as it is in its file, at which the tightest place is as the body
-  double lowest = 0.0, highest = 0.0;  ///< heights that the trunk covers, mm
-  std::vector<std::string> lines;      ///< what was found, for the user
+  double lowest = 0.0, armholes = 0.0, highest = 0.0;  ///< heights of the trunk's parts, mm
+  std::vector<std::string> lines;                      ///< what was found, for the user
 };
 
 /// Places the panels of a garment for the upper body beside a standing body (z up, front towards -y, mm): those of the
