@@ -77,6 +77,17 @@ std::string level_table(const std::vector<result::LevelRow>& levels) {
   return "Pressure at the levels, mean round the section +- its error by the mesh\n" + columns(rows);
 }
 
+std::string point_table(const scene::Scene& scene, const solve::Fields& fields) {
+  std::vector<std::vector<std::string>> rows = {{"point", "mmHg", "kPa", "gap mm"}};
+  for (const scene::Point& point : scene.output().points) {
+    const double pressure = fields.pressure[point.node];
+    rows.push_back({point.title,
+                    with_error(base::mpa_to_mmhg(pressure), base::mpa_to_mmhg(fields.pressure_error[point.node])),
+                    number("%.3g", base::mpa_to_kpa(pressure)), number("%.2f", fields.gap[point.node])});
+  }
+  return "Pressure at the points +- its error by the mesh\n" + columns(rows);
+}
+
 /// Value below which a share of the panel's area lies.
 double quantile(const mesh::Mesh& mesh, const mesh::Block& block, const std::vector<double>& values, double share) {
   std::vector<std::pair<double, double>> sorted;  // value, area
@@ -131,10 +142,11 @@ std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const
   return largest;
 }
 
-/// The table of levels, the stretches of each panel, the largest pressure.
+/// The tables of levels and of points, the stretches of each panel, the largest pressure.
 std::string findings(const scene::Scene& scene, const solve::Fields& fields, const PressureReport& pressure) {
   std::string text;
   if (!pressure.levels.empty()) text += level_table(pressure.levels);
+  if (scene.surface() != nullptr && !scene.output().points.empty()) text += point_table(scene, fields);
   text += stretch_table(scene, fields);
   if (const auto largest = largest_pressure(scene, fields))
     text += "Largest pressure away from supports: " +

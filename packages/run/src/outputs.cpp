@@ -17,6 +17,7 @@ namespace toile::run {
   OUTPUT(older_files)         \
   OUTPUT(reactions)           \
   OUTPUT(points)              \
+  OUTPUT(point_pressures)     \
   OUTPUT(distances)           \
   OUTPUT(force_curves)        \
   OUTPUT(torques)             \

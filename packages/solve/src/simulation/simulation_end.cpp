@@ -22,7 +22,7 @@ bool Simulation::Data::finish() {
   constexpr int most_rounds = 30;
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
-    if (!solve(1.0)) return false;
+    if (!solve(1.0) && !creep()) return false;
     if (equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0) return true;
     equilibrium->retract(*z, 1.0);
   }
@@ -33,7 +33,7 @@ bool Simulation::Data::finish() {
 // single steps from where it ended, each damped against where it starts, the less the nearer they are. False: they do
 // not get nearer, and the state is as it was.
 bool Simulation::Data::creep() {
-  constexpr double near = 1e-3, arrived = 1e-9;
+  constexpr double near = 1e-2, arrived = 1e-9;
   constexpr int most_steps = 150;
   if (!watch.stopped().empty() || !tries.failed || tries.failed_damping != 0.0) return false;
   const RCP<Vector> before = z;
@@ -56,7 +56,7 @@ bool Simulation::Data::creep() {
   }
   equilibrium->set_damping(0.0);
   equilibrium->start_step(*z, 1.0);
-  if (left <= arrived && finish()) return true;
+  if (left <= arrived && solve(1.0)) return true;
   z = before;
   equilibrium->start_step(*z, 1.0);
   return false;
@@ -76,7 +76,7 @@ bool Simulation::Data::come_to_rest() {
   const std::vector<double> offsets = equilibrium->offsets();
   const State damped = state;
   const int already = tries.iterations;
-  const bool found = finish() || creep();
+  const bool found = finish();
   if (found && !strayed(damped, tries.iterations - already)) return true;
   if (!stage.damping.active) return false;
   const RCP<const Vector> end = z;
