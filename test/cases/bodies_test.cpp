@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <random>
 
+#include "app/exodus.hpp"
 #include "cases/sleeve_on_body.hpp"
 
 namespace toile::test {
@@ -34,6 +36,27 @@ TEST_F(Bodies, BareFacets) {
   write_sleeve({body(text("surface", "facets"))});
   expect_refused(
       HasSubstr("bare facets are refused: without friction, fabric comes to rest on the edges between them"));
+}
+
+// A vertex that stands half a millimetre out of a tube: results.exo shows there, and nowhere as much, how far the
+// smooth surface passes below it, which is what the summary tells.
+TEST_F(Bodies, ErrorOfTheSmoothSurface) {
+  Facets body = tube(60.0, 20, 20.0);
+  const std::array<double, 3> tip{60.5, 0.0, 140.0};
+  body.points[12 * 36] = tip;
+  write("body.obj", obj(body));
+  write_sleeve();
+  const std::string out = expect_pressure(pressure_of(250.0), mesh_error);
+  const ExodusStep step(path("results/results.exo"));
+  const std::vector<double> error = step.nodal("body_error");
+  ASSERT_FALSE(error.empty());
+  const std::size_t worst = std::min_element(error.begin(), error.end()) - error.begin();
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(step.position[k][worst], tip[k], 1e-6);
+  EXPECT_GT(error[worst], -0.5);
+  EXPECT_LT(error[worst], -0.1);
+  const std::size_t told = out.find("% of the area, from ");
+  ASSERT_NE(told, std::string::npos);
+  EXPECT_NEAR(std::strtod(&out[told + 20], nullptr) / error[worst], 1.0, 5e-3);
 }
 
 // The garment lies on the outer surface of a hollow body, whatever repair is asked for, and the cavity is told.

@@ -9,6 +9,9 @@ namespace toile::app {
   COMMAND(material_check)       \
   COMMAND(material_build)       \
   COMMAND(identify)             \
+  COMMAND(body_measure)         \
+  COMMAND(body_landmarks)       \
+  COMMAND(body_make)            \
   COMMAND(describe)
 
 #define TOILE_DECLARE(name) void add_##name(CLI::App& program, Chosen& chosen);
@@ -22,12 +25,25 @@ const std::vector<AddCommand>& commands() {
   return all;
 }
 
-CLI::App* material_command(CLI::App& program) {
+namespace {
+
+/// The command `name` that has commands of its own; added if it is not there yet.
+CLI::App* group(CLI::App& program, const std::string& name, const std::string& text) {
   for (CLI::App* known : program.get_subcommands(nullptr))
-    if (known->get_name() == "material") return known;
-  CLI::App* material = program.add_subcommand("material", "Work on fabrics");
-  material->require_subcommand(1);
-  return material;
+    if (known->get_name() == name) return known;
+  CLI::App* added = program.add_subcommand(name, text);
+  added->require_subcommand(1);
+  return added;
+}
+
+}  // namespace
+
+CLI::App* material_command(CLI::App& program) {
+  return group(program, "material", "Work on fabrics");
+}
+
+CLI::App* body_command(CLI::App& program) {
+  return group(program, "body", "Measure bodies, and make them from measurements");
 }
 
 void add_plugins_flag(CLI::App* command, bool& allow) {

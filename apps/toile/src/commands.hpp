@@ -19,6 +19,8 @@ const std::vector<AddCommand>& commands();
 // What several have.
 /// The command `material`, under which those on fabrics are.
 CLI::App* material_command(CLI::App& program);
+/// The command `body`, under which those on bodies are.
+CLI::App* body_command(CLI::App& program);
 void add_plugins_flag(CLI::App* command, bool& allow);
 void add_output_option(CLI::App* command, std::string& folder, const std::string& text);
 

@@ -23,6 +23,8 @@ std::vector<OutputField> all_fields() {
   std::vector<OutputField> all;
   for (const result::FieldName& field : result::geometry_fields())
     all.push_back({FieldPlace::node, field.name, field.unit, field.text});
+  const result::FieldName& error = result::body_error_field();
+  all.push_back({FieldPlace::node, error.name, error.unit, error.text});
   const std::vector<OutputField> computed = solve::output_fields();
   all.insert(all.end(), computed.begin(), computed.end());
   return all;

@@ -50,13 +50,15 @@ Spec file_spec() {
       "Reach",
       "Part of the body that the garment can reach; all else is left out. Without this list: all of it, or, if all "
       "panels are wrapped round one axis, the piece that holds the axis, between their heights and 50 mm more.");
-  reach.real("bottom", "mm", "Lowest z.", -HUGE_VAL);
-  reach.real("top", "mm", "Highest z.", HUGE_VAL);
+  reach.real("bottom", "mm", "Lowest z, or a landmark of the body (crotch - 50).", -HUGE_VAL);
+  reach.real("top", "mm", "Highest z, or a landmark.", HUGE_VAL);
   reach.reals("lower corner", "mm", "Lower x, y, z of a box that bounds it further; {}: none.", Reals{});
   reach.reals("upper corner", "mm", "Upper x, y, z of that box; {}: none.", Reals{});
-  reach.reals("seed", "mm",
-              "Point (x, y, z) inside or near the wanted piece, for instance one of two legs; {}: all pieces.",
-              Reals{});
+  reach.reals(
+      "seed", "mm",
+      "Point (x, y, z) inside or near the wanted piece, for instance one of two legs, or a landmark (left calf); "
+      "{}: all pieces.",
+      Reals{});
   return spec.list(reach);
 }
 

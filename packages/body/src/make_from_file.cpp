@@ -7,6 +7,7 @@
 #include "import_checks.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/import.hpp"
+#include "toile/body/landmarks.hpp"
 #include "toile/body/level_set.hpp"
 
 namespace toile::body {
@@ -56,6 +57,11 @@ ImportOptions read_import_options(const List& list) {
   return options;
 }
 
+std::string path_of(const List& list) {
+  namespace fs = std::filesystem;
+  return (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
+}
+
 /// Refuses a body of flat faces that nothing rounds; returns what else is suspicious of the part in reach.
 BodyFindings look_at(const List& list, const Import& import, const TriangleMesh& mesh) {
   BodyFindings findings;
@@ -88,6 +94,13 @@ std::string turned_strips_text(double chord) {
 
 }  // namespace
 
+Landmarks landmarks_of(const List& list) {
+  if (list.word("type") != "file") {
+    list.fail("type", "landmarks are found on bodies from files; on one that is given by a formula give numbers");
+  }
+  return find_landmarks(import_body(path_of(list), read_import_options(list)).mesh);
+}
+
 SurfacePtr make_from_file(const List& list, const Region* region, BodyFindings* findings) {
   namespace fs = std::filesystem;
   if (list.word("surface") == "facets") {
@@ -95,7 +108,7 @@ SurfacePtr make_from_file(const List& list, const Region* region, BodyFindings* 
               "bare facets are refused: without friction, fabric comes to rest on the edges between them, where the "
               "normal jumps, so that no iteration converges; \"smooth\" fits a surface without edges to them");
   }
-  const std::string file = (fs::path(list.file("file")).parent_path() / list.word("file")).lexically_normal().string();
+  const std::string file = path_of(list);
   Region reach;
   std::string source;
   if (list.has_list("Reach")) {

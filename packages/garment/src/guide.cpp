@@ -23,7 +23,8 @@ base::Spec guide_spec() {
              "line by its length, its x leaves the line at right angles along the shortest ways of the surface, "
              "so the panel is unstretched along the line and on both sides of it, as far as the body lets it.")
       .reals("guide", "mm",
-             "Points x, y, z of the line, one after the other, on the body or near it. Beyond its ends it goes on "
+             "Points x, y, z of the line, one after the other, on the body or near it, or landmarks. Beyond its ends "
+             "it goes on "
              "straight along the surface.")
       .real("centre", "mm", "The pattern's x that lies on the line.", 0.0)
       .real("from", "mm", "The pattern's y that lies at the line's first point.", 0.0)

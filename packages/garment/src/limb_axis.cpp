@@ -84,11 +84,13 @@ body::Vec3 LimbAxis::curvature(double height) const {
 
 base::Spec& add_axis_parameters(base::Spec& spec) {
   return spec
-      .reals("axis bottom", "mm", "Lower point of a straight axis: heights count from here towards 'axis top'.",
+      .reals("axis bottom", "mm",
+             "Lower point of a straight axis, or a landmark of the body: heights count from here towards 'axis top'.",
              base::Reals{})
-      .reals("axis top", "mm", "A second point on the straight axis, above the first.", base::Reals{})
+      .reals("axis top", "mm", "A second point on the straight axis, above the first, or a landmark.", base::Reals{})
       .reals("axis", "mm",
-             "Instead of both, the axis of a bent limb (knee, elbow): points x, y, z, x, y, z, ... from the lower end "
+             "Instead of both, the axis of a bent limb (knee, elbow): points x, y, z, x, y, z, ... or landmarks from "
+             "the lower end "
              "to the upper one. Its corners are rounded, and heights count along it from the first point; it goes on "
              "straight beyond both ends. It must run inside the limb.",
              base::Reals{})

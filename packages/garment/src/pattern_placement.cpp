@@ -31,7 +31,8 @@ mesh::Placed place_as_drawn(const base::List& list, const FlatPanel& panel) {
 
 base::Spec pattern_placement_spec(const std::string& name, const std::string& text) {
   return base::Spec(name, text)
-      .reals("origin", "mm", "Position in space of the origin of the file.", base::Reals{0.0, 0.0, 0.0})
+      .reals("origin", "mm", "Position in space of the origin of the file, or a landmark of the body.",
+             base::Reals{0.0, 0.0, 0.0})
       .reals("up", "", "Direction in space of the file's y axis, which points up.", base::Reals{0.0, 0.0, 1.0})
       .reals("front", "",
              "Direction in space of the file's z axis, which points to the front of the wearer; perpendicular to 'up'.",

@@ -21,7 +21,8 @@ mesh::Placed lay_flat(const mesh::PanelMesh& flat, const Vec3& origin, const Vec
 
 base::Spec flat_spec() {
   return base::Spec("flat", "The flat pattern, moved and turned in space.")
-      .reals("origin", "mm", "Position in space of the pattern's origin.", base::Reals{0.0, 0.0, 0.0})
+      .reals("origin", "mm", "Position in space of the pattern's origin, or a landmark of the body.",
+             base::Reals{0.0, 0.0, 0.0})
       .reals("x direction", "", "Direction in space of the pattern's x axis.", base::Reals{1.0, 0.0, 0.0})
       .reals("y direction", "", "Direction in space of the pattern's y axis, perpendicular to 'x direction'.",
              base::Reals{0.0, 1.0, 0.0});

@@ -19,8 +19,8 @@ using mesh::Vec3;
 
 base::Spec add_wrap_parameters(base::Spec spec) {
   return add_axis_parameters(spec)
-      .real("from", "mm", "Height along the axis of the panel's lowest point.")
-      .real("to", "mm", "Height along the axis of the panel's highest point.")
+      .real("from", "mm", "Height along the axis of the panel's lowest point, or a landmark of the body (waist - 20).")
+      .real("to", "mm", "Height along the axis of the panel's highest point, or a landmark.")
       .choice("rows",
               "as drawn: heights follow the pattern's y, so a curved hem or neckline stays curved; level: each row of "
               "elements lies at one height, as the curved hem of a skirt's gore or of a part of a ring is to hang.",

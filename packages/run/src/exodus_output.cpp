@@ -2,12 +2,14 @@
 #include "exodus_output.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/result/available.hpp"
 #include "toile/result/body_map.hpp"
 #include "toile/result/exodus_writer.hpp"
+#include "toile/result/field_name.hpp"
 #include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
@@ -22,15 +24,32 @@ std::vector<result::FieldName> names_of(const std::vector<solve::NamedField>& fi
   return names;
 }
 
+/// [vertex] mm, how far the surface lies outside of the triangles' vertices; empty if it is what they were made from.
+std::vector<double> body_errors(const body::Surface& surface, const body::TriangleMesh& triangles) {
+  constexpr double round_off = 1e-6;  // mm
+  std::vector<double> errors;
+  for (const body::Vec3& vertex : triangles.vertices) {
+    const body::SurfacePoint point = surface.closest(vertex);
+    errors.push_back(point.found ? -point.gap : 0.0);
+  }
+  const auto none = [](double error) { return std::abs(error) < round_off; };
+  if (std::all_of(errors.begin(), errors.end(), none)) errors.clear();
+  return errors;
+}
+
 /// One file, opened for the fields of the record's state.
 class Steps {
  public:
   Steps(const Record& record, const solve::StepReport& report, const std::string& path) {
     const scene::Scene& scene = record.scene();
     const bool with_body = scene.surface() != nullptr;
-    if (with_body) body_ = scene.surface()->triangles(scene.output().body_size);
+    if (with_body) {
+      body_ = scene.surface()->triangles(scene.output().body_size);
+      body_errors_ = body_errors(*scene.surface(), body_);
+    }
     result::FieldNames names;
     names.nodal = names_of(solve::nodal_fields(scene.problem(), record.fields()));
+    if (!body_errors_.empty()) names.nodal.push_back(result::body_error_field());
     names.element = names_of(solve::element_fields(record.fields()));
     names.global = names_of(solve::global_fields(scene.problem(), report));
     writer_ = std::make_unique<result::ExodusWriter>(path, scene.garment().mesh, with_body ? &body_ : nullptr, names);
@@ -50,6 +69,7 @@ class Steps {
       if (field.on_body && on_body) data.body_nodal[field.name] = on_body->map(field.values);
       data.nodal[field.name] = std::move(field.values);
     }
+    if (!body_errors_.empty()) data.body_nodal[result::body_error_field().name] = body_errors_;
     for (solve::NamedField& field : solve::element_fields(fields)) data.element[field.name] = std::move(field.values);
     for (const solve::NamedField& field : solve::global_fields(problem, report))
       data.global[field.name] = field.values.front();
@@ -67,6 +87,7 @@ class Steps {
   }
 
   body::TriangleMesh body_;
+  std::vector<double> body_errors_;
   std::unique_ptr<result::ExodusWriter> writer_;
 };
 

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "landmark_places.hpp"
 #include "toile/body/body.hpp"
 #include "toile/drape/drape.hpp"
 #include "toile/garment/panel.hpp"
@@ -22,7 +23,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Spec output_spec() {
   Spec level("level", "A height at which the pressure is averaged around the body.");
-  level.real("height", "mm", "Height along the axis.");
+  level.real("height", "mm",
+             "Height along the axis, or the landmark of the body that lies there (bust, left knee + 20).");
   Spec curve("curve", "Reaction of a support along its movement, drawn against the stretch.");
   curve.word("support", "Name of the entry of Supports that is moved.")
       .real("length", "mm", "Pattern length that the support's displacement stretches.", base::required,
@@ -38,12 +40,13 @@ Spec output_spec() {
   point.word("on", "A corner (front.top-left), a place on an edge (front.top@0.5) or in a panel (front@0.5,0.25).");
   Spec output("Output", "What is written beyond the fields of the Exodus file.");
   output
-      .reals("axis point", "mm", "Point of the axis along which heights are measured; it has height 0.",
+      .reals("axis point", "mm",
+             "Point of the axis along which heights are measured, or a landmark of the body; it has height 0.",
              base::Reals{0.0, 0.0, 0.0})
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
       .reals("axis", "mm",
-             "Instead of both, the axis of a bent limb: points x, y, z, x, y, z, ... Heights count along it from the "
-             "first point; sections lie across it, and of those only the ones that surround it are told.",
+             "Instead of both, the axis of a bent limb: points x, y, z, x, y, z, ... or landmarks. Heights count along "
+             "it from the first point; sections lie across it, and of those only the ones that surround it are told.",
              base::Reals{})
       .real("smoothing", "mm",
             "Of 'axis': length over which each corner is spread to either side; 0: the shortest distance of two "
@@ -106,7 +109,10 @@ Spec scene_spec(const material::Laws& laws) {
       .list(solve::solver_spec())
       .list(output_spec())
       .list(checks_spec())
-      .completed_by(garment::add_pattern);
+      .completed_by([](Teuchos::ParameterList& list, base::Origins& origins) {
+        put_landmarks(list, origins);
+        garment::add_pattern(list, origins);
+      });
 }
 
 }  // namespace toile::scene

@@ -41,7 +41,8 @@ Spec supports_spec() {
             "directors turn with it. All directions must be held; one along the axis may be left free. The torque is "
             "reported (torques.csv).",
             0.0)
-      .reals("axis point", "mm", "Point of the axis of \"turn by\".", base::Reals{0.0, 0.0, 0.0})
+      .reals("axis point", "mm", "Point of the axis of \"turn by\", or a landmark of the body.",
+             base::Reals{0.0, 0.0, 0.0})
       .reals("axis direction", "", "Direction of that axis.", base::Reals{0.0, 0.0, 1.0})
       .choice("director",
               "Of shells: free (a hinge), held (a clamp: the panel keeps its direction), symmetry (the panel stays "

@@ -15,4 +15,7 @@ struct FieldName {
 /// The nodal fields that every Exodus file of a garment has: displacement and pattern coordinates.
 const std::vector<FieldName>& geometry_fields();
 
+/// On the body's nodes, if its surface was fitted to them.
+const FieldName& body_error_field();
+
 }  // namespace toile::result

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "toile/body/import.hpp"
+
+namespace toile::app {
+
+/// What the command line says of a body's file.
+struct BodyFileArguments {
+  std::string file;
+  double scale = 1.0;     ///< mm per unit of the file
+  std::string up = "z";   ///< axis of the file that is the height
+  bool any_size = false;  ///< a part of a body, or a doll
+  bool open = false;      ///< borders are allowed
+};
+
+void add_body_file(CLI::App* command, BodyFileArguments& arguments);
+/// Reads it; what was repaired is told on the standard error. Throws InputError.
+body::Import read_body(const BodyFileArguments& arguments);
+
+/// Rows of cells, the first of them the head; the first column is set to the left, all others to the right.
+std::string text_table(const std::vector<std::vector<std::string>>& rows);
+/// A number with so many decimals.
+std::string decimals(double value, int digits);
+
+}  // namespace toile::app

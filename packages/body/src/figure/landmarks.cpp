@@ -1,0 +1,50 @@
+#include "toile/body/landmarks.hpp"
+
+#include <algorithm>
+
+#include "figure/scan.hpp"
+
+namespace toile::body {
+namespace {
+
+const base::Texts paired = {"shoulder", "shoulder blade", "armpit", "upper arm", "elbow",
+                            "wrist",    "thigh",          "knee",   "calf",      "ankle"};
+
+/// Half way between left and right: the height of both.
+void add_middles(const Finder& finder) {
+  for (const std::string& part : paired) {
+    const Landmark *left = finder.find("left " + part), *right = finder.find("right " + part);
+    if (left != nullptr && right != nullptr) {
+      finder.add(part, 0.5 * (left->point + right->point));
+    } else {
+      finder.miss(part, std::string("it is half way between left and right, and the ") +
+                            (left == nullptr ? "left" : "right") + " one was not found");
+    }
+  }
+}
+
+}  // namespace
+
+Landmarks find_landmarks(const TriangleMesh& mesh) {
+  const FigureScan scan(mesh);
+  Landmarks all;
+  all.found.reserve(landmark_names().size());  // the search holds on to what it found
+  const Finder finder{scan, &all};
+  find_crotch_and_armpits(finder);
+  find_neck(finder);
+  find_legs(finder);
+  find_trunk(finder);
+  find_arms(finder);
+  add_middles(finder);
+  const auto place = [](const std::string& name) {
+    const base::Texts& names = landmark_names();
+    return std::find(names.begin(), names.end(), name) - names.begin();
+  };
+  std::sort(all.found.begin(), all.found.end(),
+            [&place](const Landmark& a, const Landmark& b) { return place(a.name) < place(b.name); });
+  std::sort(all.missing.begin(), all.missing.end(),
+            [&place](const MissingLandmark& a, const MissingLandmark& b) { return place(a.name) < place(b.name); });
+  return all;
+}
+
+}  // namespace toile::body
