@@ -6,6 +6,7 @@ namespace toile::app {
 #define TOILE_COMMANDS(COMMAND) \
   COMMAND(run)                  \
   COMMAND(check)                \
+  COMMAND(dress)                \
   COMMAND(material_check)       \
   COMMAND(material_build)       \
   COMMAND(identify)             \

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "run.hpp"
 #include "stop_signal.hpp"
 #include "toile/base/error.hpp"
 #include "toile/result/available.hpp"
@@ -12,17 +13,6 @@
 namespace toile::app {
 
 namespace {
-
-/// What the command line says of a run.
-struct RunArguments {
-  std::string scene;        ///< XML file
-  std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
-  int threads = 1;          ///< for the element loops of each rank
-  bool quiet = false;
-  bool restart = false;        ///< go on after the last step in the folder
-  bool allow_plugins = false;  ///< the scene may load programs
-  double heartbeat = 5.0;      ///< s without a line after which a step that is sought is told of
-};
 
 std::string folder_of(const RunArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
@@ -47,17 +37,28 @@ bool may_go_on(const run::Session& session, base::ExitCode code, size_t steps_be
 }
 
 int run(const RunArguments& arguments) {
-  const auto comm = Tpetra::getDefaultComm();
+  run::Session session(arguments.scene, options_of(arguments));
+  run_session(session, arguments);
+  return static_cast<int>(base::ExitCode::success);
+}
+
+}  // namespace
+
+run::Options options_of(const RunArguments& arguments) {
   run::Options options;
   options.threads = arguments.threads;
   options.allow_plugins = arguments.allow_plugins;
-  if (comm->getRank() == 0) options.log = base::Log(std::cout, std::cerr, arguments.quiet);
-  run::Session session(arguments.scene, options);
+  if (Tpetra::getDefaultComm()->getRank() == 0) options.log = base::Log(std::cout, std::cerr, arguments.quiet);
+  return options;
+}
+
+void run_session(run::Session& session, const RunArguments& arguments) {
   const std::string folder = folder_of(arguments);
   if (arguments.restart) session.resume(folder + "/restart.h5");
   run::add_outputs(session, {folder, arguments.heartbeat});
   session.log().info(session.scene().title() + "\n" + std::to_string(session.scene().garment().mesh.nodes()) +
-                     " nodes, " + std::to_string(comm->getSize()) + " rank(s), results in " + folder);
+                     " nodes, " + std::to_string(Tpetra::getDefaultComm()->getSize()) + " rank(s), results in " +
+                     folder);
   if (!result::files_available())
     session.log().warn(
         "this build of Toile writes no results.exo, history.h5 and restart.h5 (TOILE_ENABLE_RESULT=OFF)");
@@ -70,10 +71,7 @@ int run(const RunArguments& arguments) {
     if (!may_go_on(session, error.code(), steps_before)) throw;
     throw base::Error(error.code(), error.what() + restart_text(arguments));
   }
-  return static_cast<int>(base::ExitCode::success);
 }
-
-}  // namespace
 
 void add_run(CLI::App& program, Chosen& chosen) {
   const auto arguments = std::make_shared<RunArguments>();
