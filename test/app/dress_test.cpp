@@ -134,6 +134,12 @@ TEST_F(Dress, ComparesATeeWithAWoman) {
   EXPECT_EQ(small.status, 0) << small.err;
   // Above the armpits a section goes round the arms as well: 1100 mm, which is no girth of the trunk.
   EXPECT_THAT(small.out, Not(HasSubstr(", body 1")));
+  // At 0.6 of its size, the shirt ends above the armpits.
+  const Outcome short_one =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --only-scene --scale 0.6");
+  EXPECT_EQ(short_one.status, 2);
+  EXPECT_THAT(short_one.err, HasSubstr("nothing of the trunk lies round the body below its armpits"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("trunk: back (back), front (front)"),
                                  HasSubstr("left sleeve: lbsleeve (back), lfsleeve (front)"),

@@ -84,6 +84,11 @@ class Dressing {
                                decimals(girth.stretch(), 2) + " times its width (allowed: up to " +
                                decimals(most_stretch, 0) + "). Check the unit of the pattern and of the body; " +
                                scale_text(dressed));
+    if (std::none_of(dressed.girths.begin(), dressed.girths.end(),
+                     [](const Girth& girth) { return girth.of == name_of_side(0) && girth.body > 0.0; }))
+      throw base::InputError("nothing of the trunk lies round the body below its armpits: the hem is at the height " +
+                             mm(dressed.lowest) +
+                             ". Is the pattern too short, too small (--scale), or --hem too high?");
     const Girth& tightest = dressed.tightest;
     if (tightest.stretch() * most_wide < 1.0)
       throw base::InputError("the pattern is too large: where it is tightest, " + compared(tightest) + ": " +
