@@ -86,7 +86,7 @@ TEST_F(Dress, ATubeHasThePressureOfItsTension) {
   for (size_t n = 0; n < nodes; ++n) largest = std::max(largest, std::abs(pressure[n] / pressure_of_tube() - 1.0));
   EXPECT_LT(largest, 0.03);
   EXPECT_THAT(outcome.out, HasSubstr("front: 0 % loose, elsewhere"));
-  EXPECT_THAT(outcome.out, HasSubstr("stretched to 1.11 times its width; with --scale 1.11 it would be as wide"));
+  EXPECT_THAT(outcome.out, HasSubstr("stretched to 1.11 times its width; with --scale 1.11 its tightest place would"));
   EXPECT_EQ(toile("check out/scene.xml").status, 0);
 }
 
@@ -94,10 +94,10 @@ TEST_F(Dress, ATubeHasThePressureOfItsTension) {
 TEST_F(Dress, TellsTheScaleThatFits) {
   EXPECT_THAT(refusal("1000", "1000", "--hem 140 --scale 0.4"),
               AllOf(HasSubstr("the pattern is too small: the garment measures 136 mm round the trunk"),
-                    HasSubstr("stretched to 2.77 times its width"), HasSubstr("with --scale 1.11 it would be")));
+                    HasSubstr("stretched to 2.77 times its width"), HasSubstr("with --scale 1.11 its tightest")));
   EXPECT_THAT(refusal("1000", "250", "--hem 140"),
               AllOf(HasSubstr("the pattern is too large"), HasSubstr("3.6 times as much"),
-                    HasSubstr("with --scale 0.28 it would be")));
+                    HasSubstr("with --scale 0.28 its tightest")));
 }
 
 // What cannot be dressed is refused by its reason: no height, elements too long, panels across or none behind, a
@@ -128,6 +128,18 @@ TEST_F(Dress, RefusesWhatCannotBeSewn) {
 TEST_F(Dress, ComparesATeeWithAWoman) {
   const Outcome outcome = toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/gpg_tee.json " TOILE_SOURCE_DIR
                                 "/input/bodies/female_body.obj --output out --only-scene");
+  const Outcome small =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --only-scene --scale 0.7");
+  EXPECT_EQ(small.status, 0) << small.err;
+  // Above the armpits a section goes round the arms as well: 1100 mm, which is no girth of the trunk.
+  EXPECT_THAT(small.out, Not(HasSubstr(", body 1")));
+  // At 0.6 of its size, the shirt ends above the armpits.
+  const Outcome short_one =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --only-scene --scale 0.6");
+  EXPECT_EQ(short_one.status, 2);
+  EXPECT_THAT(short_one.err, HasSubstr("nothing of the trunk lies round the body below its armpits"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("trunk: back (back), front (front)"),
                                  HasSubstr("left sleeve: lbsleeve (back), lfsleeve (front)"),
