@@ -86,7 +86,7 @@ TEST_F(Dress, ATubeHasThePressureOfItsTension) {
   for (size_t n = 0; n < nodes; ++n) largest = std::max(largest, std::abs(pressure[n] / pressure_of_tube() - 1.0));
   EXPECT_LT(largest, 0.03);
   EXPECT_THAT(outcome.out, HasSubstr("front: 0 % loose, elsewhere"));
-  EXPECT_THAT(outcome.out, HasSubstr("stretched to 1.11 times its width; with --scale 1.11 it would be as wide"));
+  EXPECT_THAT(outcome.out, HasSubstr("stretched to 1.11 times its width; with --scale 1.11 its tightest place would"));
   EXPECT_EQ(toile("check out/scene.xml").status, 0);
 }
 
@@ -94,10 +94,10 @@ TEST_F(Dress, ATubeHasThePressureOfItsTension) {
 TEST_F(Dress, TellsTheScaleThatFits) {
   EXPECT_THAT(refusal("1000", "1000", "--hem 140 --scale 0.4"),
               AllOf(HasSubstr("the pattern is too small: the garment measures 136 mm round the trunk"),
-                    HasSubstr("stretched to 2.77 times its width"), HasSubstr("with --scale 1.11 it would be")));
+                    HasSubstr("stretched to 2.77 times its width"), HasSubstr("with --scale 1.11 its tightest")));
   EXPECT_THAT(refusal("1000", "250", "--hem 140"),
               AllOf(HasSubstr("the pattern is too large"), HasSubstr("3.6 times as much"),
-                    HasSubstr("with --scale 0.28 it would be")));
+                    HasSubstr("with --scale 0.28 its tightest")));
 }
 
 // What cannot be dressed is refused by its reason: no height, elements too long, panels across or none behind, a
@@ -109,6 +109,8 @@ TEST_F(Dress, RefusesWhatCannotBePlaced) {
   EXPECT_THAT(refusal("[0, 0, 0]", "[0, 90, 0]", "--hem 140"), HasSubstr("panel \"front\" lies across the front"));
   EXPECT_THAT(refusal("\"translation\": [0, 0, -100]", "\"translation\": [400, 0, -100]", "--hem 140"),
               HasSubstr("no panel lies behind the trunk"));
+  EXPECT_THAT(refusal(R"([{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],)", "", "--hem 140"),
+              HasSubstr("back.edge2\" goes up from the hem and no stitch sews it to the trunk"));
   write("column.obj", column(1000.0));
   EXPECT_THAT(refusal("1000", "1000", "--hem 140"), HasSubstr("1000"));
 }
@@ -126,6 +128,18 @@ TEST_F(Dress, RefusesWhatCannotBeSewn) {
 TEST_F(Dress, ComparesATeeWithAWoman) {
   const Outcome outcome = toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/gpg_tee.json " TOILE_SOURCE_DIR
                                 "/input/bodies/female_body.obj --output out --only-scene");
+  const Outcome small =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --only-scene --scale 0.7");
+  EXPECT_EQ(small.status, 0) << small.err;
+  // Above the armpits a section goes round the arms as well: 1100 mm, which is no girth of the trunk.
+  EXPECT_THAT(small.out, Not(HasSubstr(", body 1")));
+  // At 0.6 of its size, the shirt ends above the armpits.
+  const Outcome short_one =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --only-scene --scale 0.6");
+  EXPECT_EQ(short_one.status, 2);
+  EXPECT_THAT(short_one.err, HasSubstr("nothing of the trunk lies round the body below its armpits"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("trunk: back (back), front (front)"),
                                  HasSubstr("left sleeve: lbsleeve (back), lfsleeve (front)"),
@@ -133,6 +147,42 @@ TEST_F(Dress, ComparesATeeWithAWoman) {
   // Two panels of 130 units of a 300th of a metre; the bust is 830 mm.
   EXPECT_THAT(outcome.out, HasSubstr("trunk at height 1162 mm: garment 867, body 8"));
   EXPECT_TRUE(exists("out/scene.xml") && exists("out/pattern.json"));
+}
+
+/// A panel of straight edges, in front (z > 0) or behind.
+std::string panel(const std::string& name, double z, const std::vector<std::pair<int, int>>& corners) {
+  std::ostringstream text;
+  text << '"' << name << R"(": {"translation": [0, 0, )" << z << R"(], "rotation": [0, 0, 0], "vertices": [)";
+  for (size_t c = 0; c < corners.size(); ++c)
+    text << (c == 0 ? "[" : ", [") << corners[c].first << ", " << corners[c].second << ']';
+  text << R"(], "edges": [)";
+  for (size_t c = 0; c < corners.size(); ++c)
+    text << (c == 0 ? "" : ", ") << R"({"endpoints": [)" << c << ", " << (c + 1) % corners.size() << "]}";
+  return text.str() + "]}";
+}
+
+// A sleeve that is far too narrow for the arm is refused by its name, with both girths.
+TEST_F(Dress, RefusesASleeveThatIsTooNarrow) {
+  const std::vector<std::pair<int, int>> trunk = {{-240, 0}, {240, 0},   {240, 450},  {240, 600},
+                                                  {80, 600}, {-80, 600}, {-240, 600}, {-240, 450}},
+                                         sleeve = {{250, 560}, {350, 560}, {350, 600}, {250, 600}};
+  const auto stitch = [](const char* first, int i, const char* second, int j) {
+    return R"([{"panel": ")" + std::string(first) + R"(", "edge": )" + std::to_string(i) + R"(}, {"panel": ")" +
+           second + R"(", "edge": )" + std::to_string(j) + "}]";
+  };
+  write("tee.json", R"({"pattern": {"panels": {)" + panel("front", 100, trunk) + ", " + panel("back", -100, trunk) +
+                        ", " + panel("sleeve_f", 100, sleeve) + ", " + panel("sleeve_b", -100, sleeve) +
+                        R"(}, "stitches": [)" + stitch("front", 3, "back", 3) + ", " + stitch("front", 5, "back", 5) +
+                        ", " + stitch("front", 1, "back", 1) + ", " + stitch("front", 7, "back", 7) + ", " +
+                        stitch("front", 2, "sleeve_f", 3) + ", " + stitch("back", 2, "sleeve_b", 3) + ", " +
+                        stitch("sleeve_f", 0, "sleeve_b", 0) + ", " + stitch("sleeve_f", 2, "sleeve_b", 2) +
+                        R"(]}, "properties": {"units_in_meter": 1000}})");
+  const Outcome outcome =
+      toile("dress tee.json " TOILE_SOURCE_DIR "/input/bodies/female_body.obj --output out --only-scene");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("the pattern is too small: the garment measures 80 mm round the left sleeve"),
+                    HasSubstr("and the body 2")));
 }
 
 }  // namespace

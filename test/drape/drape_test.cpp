@@ -34,6 +34,7 @@ struct Tube {
           for (const int n :
                {node(panel, i, j), node(panel, i + 1, j), node(panel, i + 1, j + 1), node(panel, i, j + 1)})
             block.connectivity.push_back(n);
+      block.wale_angle.assign(block.connectivity.size() / 4, M_PI_2);
       mesh.blocks.push_back(block);
       mesh.panels.push_back({panel == 0 ? "front" : "back", node(panel, 0, 0), node(1, 0, 0), across, {}});
     }
@@ -83,6 +84,23 @@ TEST(Drape, NarrowTubeIsStretched) {
   EXPECT_LT(outcome.largest_opening, 0.2);
   EXPECT_NEAR(tube.girth(3) / (2.0 * width), 1.2, 0.01);
   EXPECT_LT(outcome.largest_stretch, 1.25);
+}
+
+// A tube that is half as wide as its body lies evenly round it after few rounds if the stretch that it will have is
+// told.
+TEST(Drape, TightTubeIsEven) {
+  const auto unevenness = [](double told) {
+    Tube tube(M_PI * (radius + 1.0) / 2.0);
+    Options options;
+    options.most_rounds = 400;
+    options.stretch_course = told;
+    const body::SurfacePtr cylinder = body::elliptic_cylinder(radius, radius, {});
+    const Outcome outcome = drape(tube.mesh, tube.clusters, {}, *cylinder, options);
+    EXPECT_LT(outcome.largest_opening, 0.2);
+    return outcome.largest_stretch - 2.0;
+  };
+  EXPECT_LT(unevenness(2.0), 0.05);
+  EXPECT_GT(unevenness(1.0), 0.15);
 }
 
 // An edge that is held in height stays at its height, while the rest of the tube settles where it may.

@@ -122,8 +122,11 @@ int dress(const DressArguments& arguments) {
   } catch (const base::InputError& error) {
     if (drapes(session.scene())) throw;
     run::write_start(session, folder);
-    throw base::InputError(std::string(error.what()) + " (" + folder + "/start.exo shows it). Where the pattern is " +
-                           "tightest it has the width of the body with --scale " + decimals(dressed.fitting_scale, 2));
+    throw base::InputError(std::string(error.what()) + " (" + folder + "/start.exo shows it)." +
+                           (dressed.fitting_scale > 0.0 ? " Where the pattern is tightest it has the width of the body "
+                                                          "with --scale " +
+                                                              decimals(dressed.fitting_scale, 2)
+                                                        : std::string()));
   }
   tell_fit(session, session.log());
   return static_cast<int>(base::ExitCode::success);

@@ -32,6 +32,9 @@ std::vector<SectionPiece> Sections::cut(const Vec3& /*point*/, const Vec3& /*nor
 double Sections::length_on_surface(const Vec3& /*from*/, const Vec3& /*to*/) const {
   return 0.0;
 }
+double tape_girth(const std::vector<Vec3>& /*points*/, const Vec3& /*normal*/) {
+  refuse();
+}
 Extent extent_of(const TriangleMesh& /*mesh*/) {
   refuse();
 }

@@ -21,22 +21,28 @@ struct Side {
   bool diagonal;
 };
 
+/// Length of a line of the pattern in fabric that is stretched along its wales and courses.
+double stretched(const mesh::Vec2& line, double wale_angle, const Options& options) {
+  const mesh::Vec2 wale(std::cos(wale_angle), std::sin(wale_angle)), course(-wale.y(), wale.x());
+  return std::hypot(options.stretch_wale * line.dot(wale), options.stretch_course * line.dot(course));
+}
+
 /// Sides and diagonals of all elements, each once.
-std::vector<Side> sides_of(const mesh::Mesh& mesh) {
-  std::map<std::pair<int, int>, bool> pairs;  // whether it is a diagonal
+std::vector<Side> sides_of(const mesh::Mesh& mesh, const Options& options) {
+  std::map<std::pair<int, int>, Side> pairs;
   for (const mesh::Block& block : mesh.blocks) {
     const std::size_t per = static_cast<std::size_t>(block.nodes_per_element);
     for (std::size_t e = 0; e < block.connectivity.size(); e += per)
       for (std::size_t i = 0; i < per; ++i)
         for (std::size_t j = 0; j < i; ++j) {
           const std::pair<int, int> pair = std::minmax(block.connectivity[e + i], block.connectivity[e + j]);
-          pairs[pair] = per == 4 && i - j == 2;
+          const mesh::Vec2 line = mesh.pattern[pair.second] - mesh.pattern[pair.first];
+          pairs[pair] = {pair.first, pair.second, stretched(line, block.wale_angle[e / per], options),
+                         per == 4 && i - j == 2};
         }
   }
   std::vector<Side> sides;
-  for (const auto& [nodes, diagonal] : pairs)
-    sides.push_back(
-        {nodes.first, nodes.second, (mesh.pattern[nodes.first] - mesh.pattern[nodes.second]).norm(), diagonal});
+  for (const auto& entry : pairs) sides.push_back(entry.second);
   return sides;
 }
 
@@ -49,7 +55,7 @@ class Draping {
         body_(body),
         options_(options),
         at_(mesh.placed),
-        sides_(sides_of(mesh)),
+        sides_(sides_of(mesh, options)),
         clearance_(at_.size(), 0.0),
         near_(at_.size()) {
     for (std::size_t c = 0; c < clusters.size(); ++c)
@@ -168,7 +174,8 @@ class Draping {
 
   void find_largest_stretch(Outcome& outcome) const {
     for (const Side& side : sides_) {
-      const double stretch = (at_[side.a] - at_[side.b]).norm() / side.length;
+      const double stretch =
+          (at_[side.a] - at_[side.b]).norm() / (mesh_.pattern[side.a] - mesh_.pattern[side.b]).norm();
       if (side.diagonal || stretch <= outcome.largest_stretch) continue;
       outcome.largest_stretch = stretch;
       outcome.most_stretched = side.a;
@@ -202,11 +209,17 @@ base::Spec drape_spec() {
       .real("distance", "mm", "Of the fabric from the body that is kept.", 1.0, base::Range::positive())
       .real("largest move", "mm", "Of a node in a round; less than half of the thinnest limb.", 4.0,
             base::Range::positive())
+      .real("stretch along wale", "",
+            "Of the fabric where it lies: a garment that is smaller than the body everywhere comes evenly round it if "
+            "this is about what it will be.",
+            1.0, base::Range::at_least(1.0))
+      .real("stretch along course", "", "The same along the courses.", 1.0, base::Range::at_least(1.0))
       .integer("most rounds", "After which the seams must be closed.", 2000, base::Range::at_least(1));
 }
 
 Options read_options(const base::List& list) {
-  return {list.integer("most rounds"), list.real("distance"), list.real("largest move")};
+  return {list.integer("most rounds"), list.real("distance"), list.real("largest move"),
+          list.real("stretch along wale"), list.real("stretch along course")};
 }
 
 }  // namespace toile::drape

@@ -61,18 +61,20 @@ class Dressing {
  private:
   Placed at_scale(double scale) const { return place(scaled(pattern_, scale), wearer_, options_); }
 
-  /// The pattern at this scale is as wide as the body where it is tightest. Its places move with the scale.
+  /// The pattern at this scale is as wide as the body where it is tightest. Its places move with the scale, and with
+  /// them where that is: 0 if none was found.
   double fitting_scale(double stretch) const {
     double scale = options_.scale;
-    for (int k = 0; k < 8 && std::abs(stretch - 1.0) > 2e-3; ++k) {
-      scale *= stretch;
+    for (int k = 0; k < 20 && std::abs(stretch - 1.0) > 2e-3; ++k) {
+      scale *= std::pow(stretch, 0.8);
       stretch = tightest_of(girths_of(at_scale(scale), wearer_)).stretch();
     }
-    return scale;
+    return std::abs(stretch - 1.0) > 0.01 ? 0.0 : scale;
   }
 
   std::string scale_text(const Dressed& dressed) const {
-    return "with --scale " + decimals(dressed.fitting_scale, 2) + " it would be as wide as the body there";
+    if (dressed.fitting_scale <= 0.0) return "no --scale was found with which it is as wide as the body";
+    return "with --scale " + decimals(dressed.fitting_scale, 2) + " its tightest place would be as wide as the body";
   }
 
   void check(const Dressed& dressed) const {
@@ -82,6 +84,11 @@ class Dressing {
                                decimals(girth.stretch(), 2) + " times its width (allowed: up to " +
                                decimals(most_stretch, 0) + "). Check the unit of the pattern and of the body; " +
                                scale_text(dressed));
+    if (std::none_of(dressed.girths.begin(), dressed.girths.end(),
+                     [](const Girth& girth) { return girth.of == name_of_side(0) && girth.body > 0.0; }))
+      throw base::InputError("nothing of the trunk lies round the body below its armpits: the hem is at the height " +
+                             mm(dressed.lowest) +
+                             ". Is the pattern too short, too small (--scale), or --hem too high?");
     const Girth& tightest = dressed.tightest;
     if (tightest.stretch() * most_wide < 1.0)
       throw base::InputError("the pattern is too large: where it is tightest, " + compared(tightest) + ": " +

@@ -60,8 +60,13 @@ class Placing {
       const std::set<std::string> partners = sewing_.partners(panel, edge);
       if (partners.empty() && highest < near_hem)
         placed_.hems.push_back(panel.name + "." + edge.name);
-      else if (partners.empty() || joins_sleeve(partners))
+      else if (partners.empty() || joins_sleeve(partners)) {
+        if (lowest < near_hem)
+          throw base::InputError("edge \"" + panel.name + "." + edge.name +
+                                 "\" goes up from the hem and no stitch "
+                                 "sews it to the trunk: the trunk must be a tube there. Is a stitch missing?");
         placed_.underarm = std::min(placed_.underarm, lowest);
+      }
     });
     placed_.underarm = std::min(placed_.underarm, placed_.highest);
   }

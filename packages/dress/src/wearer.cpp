@@ -53,6 +53,8 @@ Wearer::Wearer(const body::TriangleMesh& mesh) : triangles_(mesh.triangles), sec
   }
   const body::Landmark *left = landmarks_.find("left shoulder"), *right = landmarks_.find("right shoulder");
   if (left != nullptr && right != nullptr) middle_ = 0.5 * (left->point.x() + right->point.x());
+  for (const char* side : {"left armpit", "right armpit"})
+    if (const body::Landmark* armpit = landmarks_.find(side)) armpits_ = std::min(armpits_, armpit->point.z());
 }
 
 std::vector<SectionPiece> Wearer::cut(const Vec3& point, const Vec3& normal) const {
@@ -68,6 +70,7 @@ std::vector<SectionPiece> Wearer::cut(const Vec3& point, const Vec3& normal) con
 }
 
 double Wearer::girth(double height) const {
+  if (height > armpits_) return 0.0;
   constexpr double step = 2.0;  // mm
   const int key = static_cast<int>(std::lround(height / step));
   const auto known = girths_.find(key);

@@ -24,7 +24,7 @@ class Wearer {
   double middle() const { return middle_; }  ///< x of its plane of symmetry
   double lower() const { return lower_; }    ///< of y
   double upper() const { return upper_; }
-  /// What a tape round trunk or legs measures at a height; 0: there is no body.
+  /// What a tape round trunk or legs measures at a height below the armpits; 0: there is no body.
   double girth(double height) const;
   /// What a tape round an arm measures across it, so far from the shoulder; 0: there is none.
   double girth(const Arm& arm, double along) const;
@@ -49,6 +49,7 @@ class Wearer {
   body::Landmarks landmarks_;
   std::string no_landmarks_;  ///< why there are none
   double middle_ = 0.0, lower_ = 0.0, upper_ = 0.0;
+  double armpits_ = infinite;             ///< height of the lower one; above it arms and trunk are one section
   mutable std::map<int, double> girths_;  ///< by height in steps
 };
 

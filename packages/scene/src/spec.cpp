@@ -65,7 +65,10 @@ Spec output_spec() {
       .list(Spec("Force curves", "Force against stretch, as in a tensile test.").entries(curve))
       .list(Spec("Distances", "Distances that are followed, for instance the width of a necking strip.")
                 .entries(distance))
-      .list(Spec("Points", "Nodes whose displacements are followed (points.csv), and their pressure at the end (pressure-points.csv).").entries(point));
+      .list(Spec("Points",
+                 "Nodes whose displacements are followed (points.csv), and their pressure at the end "
+                 "(pressure-points.csv).")
+                .entries(point));
   return output;
 }
 

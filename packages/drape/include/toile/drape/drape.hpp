@@ -11,9 +11,11 @@ namespace toile::drape {
 
 /// How a garment is laid onto its body before anything is solved.
 struct Options {
-  int most_rounds = 2000;   ///< of the constraints
-  double distance = 1.0;    ///< of the fabric from the body that is kept, mm
-  double largest_move = 4;  ///< of a node in a round, mm: less than half of the thinnest limb
+  int most_rounds = 2000;       ///< of the constraints
+  double distance = 1.0;        ///< of the fabric from the body that is kept, mm
+  double largest_move = 4;      ///< of a node in a round, mm: less than half of the thinnest limb
+  double stretch_wale = 1.0;    ///< of the fabric where it lies, along its wales
+  double stretch_course = 1.0;  ///< and along its courses
 };
 
 /// A direction in which a node stays where it is placed.

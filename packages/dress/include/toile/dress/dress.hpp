@@ -32,7 +32,8 @@ struct Dressed {
   std::vector<std::string> hems;  ///< lowest edges of the trunk that nothing is sewn to: "front.edge4"
   std::vector<Girth> girths;      ///< of the trunk from the hem up to the armholes, then of the sleeves
   Girth tightest;                 ///< of them, the one with the largest stretch
-  double fitting_scale = 1.0;     ///< of the pattern as it is in its file, at which the tightest place is as the body
+  double fitting_scale =
+      1.0;  ///< of the pattern as it is in its file, at which the tightest place is as the body; 0: none
   double lowest = 0.0, armholes = 0.0, highest = 0.0;  ///< heights of the trunk's parts, mm
   std::vector<std::string> lines;                      ///< what was found, for the user
 };
