@@ -10,7 +10,7 @@ constexpr int layers = 3;        ///< of a separator: nodes further apart share 
 constexpr int smallest = 96;     ///< nodes; fewer are not parted further
 constexpr double balance = 0.4;  ///< least part of the nodes on either side
 
-enum Side : char { elsewhere, lower, upper, between };
+enum Half : char { elsewhere, lower, upper, between };
 
 struct Cut {
   int axis = -1;  ///< -1: none
@@ -36,14 +36,14 @@ class Dissection {
 
  private:
   Cut smallest_cut(const std::vector<int>& part) const;
-  bool couples(int node, Side side) const;
+  bool couples(int node, Half side) const;
 
   const SheetGrid& grid_;
-  std::vector<Side> side_;
+  std::vector<Half> side_;
   std::vector<int> start_, cells_;
 };
 
-bool Dissection::couples(int node, Side side) const {
+bool Dissection::couples(int node, Half side) const {
   for (int c = start_[node]; c < start_[node + 1]; ++c) {
     for (const int u : grid_.cells()[cells_[c]].unknowns) {
       if (side_[u] == side) return true;

@@ -15,8 +15,8 @@
 namespace toile::body {
 namespace {
 
-constexpr double sample_spacing = 0.5;  ///< cells
-constexpr double least_range = 25.0;    ///< mm; fabric further away has no business with the smooth surface
+constexpr double seed_spacing = 0.5;  ///< cells
+constexpr double least_range = 25.0;  ///< mm; fabric further away has no business with the smooth surface
 
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
@@ -77,7 +77,7 @@ class LevelSetSurface final : public Surface {
         edge_(mean_edge_length(mesh_)),
         start_(std::chrono::steady_clock::now()),
         options_(completed(options, edge_)),
-        samples_(mesh_, sample_spacing * options_.cell),
+        samples_(mesh_, seed_spacing * options_.cell),
         field_(fit_level_set(mesh_, samples_, options_.cell, options_.smoothing)),
         name_(std::move(name)) {
     report_fit();

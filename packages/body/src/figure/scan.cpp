@@ -96,12 +96,11 @@ void Finder::add_trunk_level(const std::string& name, double z) const {
 int first_narrow(const Course& course) {
   int least = 0;
   for (int i = 1; i < static_cast<int>(course.size()); ++i) {
-    if (course[i].second < course[least].second) {
+    const bool grows_from_its_start = least == 0 && course[i].second > course[0].second;  // what counts comes later
+    if (course[i].second < course[least].second || grows_from_its_start) {
       least = i;
     } else if (course[i].second > change * course[least].second && least > 0) {
       return least;
-    } else if (least == 0 && course[i].second > course[0].second) {
-      least = i;  // it grows from its start: what counts comes later
     }
   }
   return -1;
