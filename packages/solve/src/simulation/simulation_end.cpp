@@ -33,9 +33,10 @@ bool Simulation::Data::finish() {
 // single steps from where it ended, each damped against where it starts, the less the nearer they are. False: they do
 // not get nearer, and the state is as it was.
 bool Simulation::Data::creep() {
-  constexpr double near = 1e-2, arrived = 1e-9;
-  constexpr int most_steps = 150;
+  constexpr double near = 1e-3, arrived = 1e-9;
+  constexpr int circled = 10, most_steps = 150;
   if (!watch.stopped().empty() || !tries.failed || tries.failed_damping != 0.0) return false;
+  if (tries.failed->iterations < circled) return false;
   const RCP<Vector> before = z;
   z = rcp(new Vector(*tries.failed->z, Teuchos::Copy));
   double left = undamped_residual(*equilibrium, *z, 1.0);
