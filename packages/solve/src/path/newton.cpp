@@ -27,14 +27,12 @@ const NOX::Abstract::Vector& unwrap(const NOX::Abstract::Vector& vector) {
 
 bool BalanceTest::took_too_many(double residual) {
   constexpr int times = 5;
-  constexpr double near = 1e-3;
   if (residual < 0.5 * halved_) {
     halved_ = residual;
     halved_at_ = iterations_;
   }
   const int most = options_.max_iterations, stalled = iterations_ - halved_at_;
   if (!options_.to_rest) return iterations_ >= most;
-  if (halved_ < near && stalled > 0 && stalled >= most / 6) return true;
   return iterations_ >= times * most || (iterations_ >= most && stalled >= most / 3);
 }
 

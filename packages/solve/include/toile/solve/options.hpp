@@ -19,7 +19,7 @@ struct NewtonOptions {
   double gap_tolerance = 1e-6;  ///< largest gap of a node in contact, mm
   int max_iterations = 60;
   /// The undamped end of a stage is sought, where nothing is cut back: up to five times max_iterations as long as the
-  /// residual halves in every third of them; near the end, no longer than it halves in every sixth.
+  /// residual halves in every third of them.
   bool to_rest = false;
 };
 
