@@ -205,7 +205,7 @@ TEST(Sleeve, DampedStepsReachAStateThatNewtonAloneDoesNot) {
   direct.set_start(closed_start(sleeve.problem));
   direct.run(stage("settle"));
   solve::SolverOptions few;
-  few.newton.max_iterations = 3;
+  few.newton.max_iterations = 2;
   few.newton.tolerance = 1e-6;
   solve::StageOptions settle = stage("settle");
   solve::State rough = closed_start(sleeve.problem);  // rows crowded towards one end

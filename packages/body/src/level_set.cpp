@@ -9,6 +9,7 @@
 
 #include "fit_level_set.hpp"
 #include "mesh_geometry.hpp"
+#include "sheet_grid.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/triangle_tree.hpp"
 
@@ -69,6 +70,12 @@ double quantile(std::vector<std::array<double, 2>> values, double weight) {
   return values.empty() ? 0.0 : values.back()[0];
 }
 
+/// Of a mesh whose grid is not too large: the finer the cells, the more samples.
+SurfaceSamples samples_of(const TriangleMesh& mesh, double cell) {
+  SheetGrid::box_of(mesh.vertices, cell);
+  return SurfaceSamples(mesh, seed_spacing * cell);
+}
+
 class LevelSetSurface final : public Surface {
  public:
   LevelSetSurface(TriangleMesh mesh, const LevelSetOptions& options, std::string name)
@@ -77,7 +84,7 @@ class LevelSetSurface final : public Surface {
         edge_(mean_edge_length(mesh_)),
         start_(std::chrono::steady_clock::now()),
         options_(completed(options, edge_)),
-        samples_(mesh_, seed_spacing * options_.cell),
+        samples_(samples_of(mesh_, options_.cell)),
         field_(fit_level_set(mesh_, samples_, options_.cell, options_.smoothing)),
         name_(std::move(name)) {
     report_fit();

@@ -58,24 +58,23 @@ SheetGrid::SheetGrid(const SurfaceSamples& samples, double cell) : cell_(cell) {
   keep_shared(entries);
 }
 
+Eigen::AlignedBox3d SheetGrid::box_of(const std::vector<Vec3>& points, double cell) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : points) box.extend(point);
+  const double positions = (box.sizes() / cell + Vec3::Constant(1 + 2 * padding)).prod();
+  if (positions <= most_positions) return box;
+  std::ostringstream text;
+  text << "the smooth surface of the body would need a grid of " << positions << " cells of " << cell << " mm round "
+       << box.sizes().transpose() << " mm, at most " << most_positions
+       << " are possible: enlarge \"cell\", or bound the part of the body that the garment can reach (list Reach)";
+  throw base::InputError(text.str());
+}
+
 void SheetGrid::make_box(const SurfaceSamples& samples) {
-  Vec3 lower = samples.points.front();
-  Vec3 upper = lower;
-  for (const Vec3& point : samples.points) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  origin_ = lower - Vec3::Constant(padding * cell_);
-  const double positions = ((upper - lower) / cell_ + Vec3::Constant(1 + 2 * padding)).prod();
-  if (!(positions <= most_positions)) {
-    std::ostringstream text;
-    text << "the smooth surface of the body would need a grid of " << positions << " cells of " << cell_ << " mm round "
-         << (upper - lower).transpose() << " mm, at most " << most_positions
-         << " are possible: enlarge \"cell\", or bound the part of the body that the garment can reach (list Reach)";
-    throw base::InputError(text.str());
-  }
+  const Eigen::AlignedBox3d box = box_of(samples.points, cell_);
+  origin_ = box.min() - Vec3::Constant(padding * cell_);
   for (int axis = 0; axis < 3; ++axis) {
-    size_[axis] = static_cast<int>(std::floor((upper - lower)[axis] / cell_)) + 1 + 2 * padding;
+    size_[axis] = static_cast<int>(std::floor(box.sizes()[axis] / cell_)) + 1 + 2 * padding;
   }
 }
 

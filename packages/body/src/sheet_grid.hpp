@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
@@ -22,6 +23,8 @@ class SheetGrid {
 
   /// Samples that are not linked belong to different sheets near them. Throws InputError if the box has too many cells.
   SheetGrid(const SurfaceSamples& samples, double cell);
+  /// The box round the points, mm. Throws InputError if a grid of these cells round them would be too large.
+  static Eigen::AlignedBox3d box_of(const std::vector<Vec3>& points, double cell);
 
   double cell() const { return cell_; }
   const std::vector<Cell>& cells() const { return cells_; }
