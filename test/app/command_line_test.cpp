@@ -46,9 +46,9 @@ TEST_F(CommandLine, AsksForASubcommand) {
 TEST_F(CommandLine, SuggestsASubcommand) {
   const Outcome outcome = toile("chek scene.xml");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(
-      outcome.err,
-      "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check dress material identify body describe\n");
+  EXPECT_EQ(outcome.err,
+            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check dress material identify "
+            "body describe\n");
 }
 
 // A misspelt option is answered by the nearest one, whether its value is written with a blank or with "=".
