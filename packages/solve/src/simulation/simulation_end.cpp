@@ -51,6 +51,7 @@ bool Simulation::Data::creep() {
     if (!watch.stopped().empty()) break;
     const double now = undamped_residual(*equilibrium, *attempt.z, 1.0);
     if (!(now < near)) break;
+    energies.dissipated += equilibrium->dissipation(*attempt.z, 1.0);
     z = attempt.z;
     coefficient *= now < 0.5 * left ? 0.2 : now < left ? 0.7 : 2.0;
     left = now;
