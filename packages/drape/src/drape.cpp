@@ -110,8 +110,11 @@ class Draping {
       if (move.norm() > options_.largest_move) at_[n] = before[n] + move * (options_.largest_move / move.norm());
       push_out(n, (at_[n] - before[n]).norm());
     }
-    for (const Held& held : held_)
-      at_[held.node] += held.direction.dot(mesh_.placed[held.node] - at_[held.node]) * held.direction;
+    for (const Held& held : held_) {
+      const double shift = held.direction.dot(mesh_.placed[held.node] - at_[held.node]);
+      at_[held.node] += shift * held.direction;
+      clearance_[held.node] -= std::abs(shift);
+    }
     for (std::size_t n = 0; n < at_.size(); ++n) {
       largest = std::max(largest, (at_[n] - before[n]).norm());
     }

@@ -161,9 +161,12 @@ void Scene::drape_garment(const base::List& scene, const base::List& list) {
   } else if (outcome.largest_opening > closed) {
     parameter = "most rounds";
     const auto widest = static_cast<size_t>(outcome.widest);
-    text << "after " << outcome.rounds << " rounds the seam \"" << garment::seam_names(clusters, garment_.seams)[widest]
-         << "\" is still open by " << outcome.largest_opening << " mm" << place(clusters.members[widest].front())
-         << ": a panel may hang on a limb that is in its way" << look;
+    text
+        << "after " << outcome.rounds << " rounds the seam \"" << garment::seam_names(clusters, garment_.seams)[widest]
+        << "\" is still open by " << outcome.largest_opening << " mm" << place(clusters.members[widest].front())
+        << ": a panel may hang on a limb that is in its way, or supports hold the two sides of the seam where they are "
+           "placed, at different heights"
+        << look;
   } else {
     return;
   }
