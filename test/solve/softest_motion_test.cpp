@@ -11,7 +11,6 @@ namespace toile::test {
 namespace {
 
 using solve::Vec3;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -112,12 +111,11 @@ std::string message_of(Hinged& hinged, const std::vector<int>& held_of_second) {
 // nothing of motions.
 TEST(SoftestMotion, IsInTheMessageOfTheStage) {
   Hinged hinged, held;
-  // Stresses that do not balance yet leave it a stiffness of 1e-8.
-  EXPECT_THAT(
-      message_of(hinged, {}),
-      AllOf(HasSubstr(" Little resists there ("),
-            HasSubstr(" a motion that is largest at node 24 of panel \"panel1\", at (60, 0, 0) mm, in the pattern "
-                      "at (30, 0) mm, along (0, 0, 1).")));
+  // The one iteration goes along the free motion as far as round-off has it, so whether the stresses there leave it a
+  // stiffness, and of which sign, is not known.
+  EXPECT_THAT(message_of(hinged, {}),
+              HasSubstr(" a motion that is largest at node 24 of panel \"panel1\", at (60, 0, 0) mm, in the pattern "
+                        "at (30, 0) mm, along (0, 0, 1)."));
   EXPECT_THAT(message_of(held, {Panels::node(1, Panels::across, 2)}), Not(HasSubstr("motion")));
 }
 
