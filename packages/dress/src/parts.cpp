@@ -1,5 +1,6 @@
 #include "parts.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -24,28 +25,24 @@ void check_placed(const Panel& panel) {
   throw base::InputError(
       name +
       " lies across the front of the wearer (its \"rotation\" turns it out of the x-y plane), as whole sleeves do; "
-      "panels in front of the wearer and behind are dressed, sleeves in two halves. Cut the sleeve along the top of "
-      "the "
-      "arm, or write a scene in which it starts round the arm (placement \"free wrap\")");
+      "panels in front of the wearer and behind are dressed, sleeves in two halves. Cut the sleeve along the top "
+      "of the arm, or write a scene in which it starts round the arm (placement \"free wrap\")");
+}
+
+Eigen::AlignedBox3d box_of(const Panel& panel) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : outline_of(panel)) box.extend(point);
+  return box;
 }
 
 double depth_of(const Panel& panel) {
-  double lower = infinite, upper = -infinite;
-  for (const Vec3& point : outline_of(panel)) {
-    lower = std::min(lower, point.z());
-    upper = std::max(upper, point.z());
-  }
-  return 0.5 * (lower + upper);
+  return box_of(panel).center().z();
 }
 
 /// 0 if it comes near the middle of the wearer.
 int side_of(const Panel& panel) {
-  double lower = infinite, upper = -infinite;
-  for (const Vec3& point : outline_of(panel)) {
-    lower = std::min(lower, point.x());
-    upper = std::max(upper, point.x());
-  }
-  return lower > middle ? 1 : upper < -middle ? -1 : 0;
+  const Eigen::AlignedBox3d box = box_of(panel);
+  return box.min().x() > middle ? 1 : box.max().x() < -middle ? -1 : 0;
 }
 
 }  // namespace
