@@ -4,246 +4,17 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <Teuchos_ParameterList.hpp>
-#include <Tpetra_Core.hpp>
 #include <cmath>
-#include <iostream>
-#include <limits>
 
+#include "py_session.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/units.hpp"
-#include "toile/run/outputs.hpp"
-#include "toile/solve/output_fields.hpp"
 
 namespace py = pybind11;
 
 namespace toile::python {
 
 namespace {
-
-// ---- From Python to what a scene file would hold.
-
-[[noreturn]] void refuse(const std::string& where, const std::string& problem) {
-  throw py::type_error(where + ": " + problem);
-}
-
-/// NumPy's scalars and arrays as Python's own numbers and lists.
-py::object plain(const py::handle& value) {
-  if (py::hasattr(value, "tolist") && py::hasattr(value, "dtype")) return value.attr("tolist")();
-  return py::reinterpret_borrow<py::object>(value);
-}
-
-int integer_of(const std::string& where, const py::handle& value) {
-  int overflow = 0;
-  const long long number = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
-  if (overflow != 0 || number > std::numeric_limits<int>::max() || number < std::numeric_limits<int>::min())
-    refuse(where, "the number " + std::string(py::str(value)) + " is too large for an int");
-  return static_cast<int>(number);
-}
-
-template <class Kind>
-bool all_are(const py::sequence& values) {
-  for (const py::handle& value : values)
-    if (!py::isinstance<Kind>(value) || py::isinstance<py::bool_>(value)) return false;
-  return true;
-}
-
-void set_array(Teuchos::ParameterList& list, const std::string& name, const std::string& where,
-               const py::sequence& values) {
-  if (all_are<py::str>(values)) {
-    list.set(name, Teuchos::Array<std::string>(values.cast<std::vector<std::string>>()));
-  } else if (all_are<py::int_>(values)) {
-    Teuchos::Array<int> numbers;
-    for (const py::handle& value : values) numbers.push_back(integer_of(where, value));
-    list.set(name, numbers);
-  } else {
-    Teuchos::Array<double> numbers;
-    for (const py::handle& value : values) {
-      if (py::isinstance<py::bool_>(value) || !(py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)))
-        refuse(where, "a list holds numbers or texts, and this one holds a " + std::string(py::str(value.get_type())));
-      numbers.push_back(value.cast<double>());
-    }
-    list.set(name, numbers);
-  }
-}
-
-void fill(Teuchos::ParameterList& list, const py::dict& content, const std::string& path) {
-  for (const auto& [key, given] : content) {
-    if (!py::isinstance<py::str>(key)) refuse(path, "the name " + std::string(py::repr(key)) + " is no text");
-    const std::string name = key.cast<std::string>(), where = path + " > " + name;
-    const py::object value = plain(given);
-    if (py::isinstance<py::dict>(value))
-      fill(list.sublist(name), value.cast<py::dict>(), where);
-    else if (py::isinstance<py::bool_>(value))
-      list.set(name, value.cast<bool>());
-    else if (py::isinstance<py::int_>(value))
-      list.set(name, integer_of(where, value));
-    else if (py::isinstance<py::float_>(value))
-      list.set(name, value.cast<double>());
-    else if (py::isinstance<py::str>(value))
-      list.set(name, value.cast<std::string>());
-    else if (py::hasattr(value, "__fspath__"))
-      list.set(name, value.attr("__fspath__")().cast<std::string>());
-    else if (py::isinstance<py::sequence>(value))
-      set_array(list, name, where, value.cast<py::sequence>());
-    else
-      refuse(where, "a parameter is a bool, an int, a float, a text, or a list of numbers or texts, not a " +
-                        std::string(py::str(value.get_type())));
-  }
-}
-
-// ---- From C++ to arrays. `owner` lives as long as the array.
-
-template <class T>
-py::array view(const T* data, std::vector<py::ssize_t> shape, const py::object& owner) {
-  py::array_t<T> array(std::move(shape), data, owner);
-  array.attr("flags").attr("writeable") = false;
-  return std::move(array);
-}
-
-py::array vectors(const std::vector<solve::Vec3>& values, const py::object& owner) {
-  static_assert(sizeof(solve::Vec3) == 3 * sizeof(double));
-  const double* data = values.empty() ? nullptr : values.front().data();
-  return view(data, {static_cast<py::ssize_t>(values.size()), 3}, owner);
-}
-
-py::array scalars(const std::vector<double>& values, const py::object& owner) {
-  return view(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
-}
-
-template <class T>
-py::array copied(const std::vector<T>& values) {
-  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-/// The fields of one state, as results.exo has them. Made once; arrays refer to it and keep it.
-class FieldSet {
- public:
-  FieldSet(const solve::Problem& problem, std::shared_ptr<const solve::Fields> fields)
-      : fields_(std::move(fields)),
-        nodal_(solve::nodal_fields(problem, *fields_)),
-        element_(solve::element_fields(*fields_)) {}
-
-  const solve::Fields& all() const { return *fields_; }
-  const solve::NamedField* find(const std::string& name) const {
-    for (const auto* fields : {&nodal_, &element_})
-      for (const solve::NamedField& field : *fields)
-        if (field.name == name) return &field;
-    return nullptr;
-  }
-  const solve::NamedField& at(const std::string& name) const {
-    if (const solve::NamedField* field = find(name)) return *field;
-    throw py::key_error("there is no field \"" + name + "\"" + base::hint(name, names()));
-  }
-  base::Texts names() const {
-    base::Texts names;
-    for (const auto* fields : {&nodal_, &element_})
-      for (const solve::NamedField& field : *fields) names.push_back(field.name);
-    return names;
-  }
-
- private:
-  std::shared_ptr<const solve::Fields> fields_;
-  std::vector<solve::NamedField> nodal_, element_;
-};
-
-// ---- The run.
-
-/// Arrays and fields live on when the session is gone; MPI and Kokkos live until Python ends.
-void initialise() {
-  static bool done = false;
-  if (std::exchange(done, true)) return;
-  char name[] = "toile";
-  char* arguments[] = {name, nullptr};
-  char** argv = arguments;
-  int argc = 1;
-  Tpetra::initialize(&argc, &argv);
-  py::module_::import("atexit").attr("register")(py::cpp_function([] { Tpetra::finalize(); }));
-}
-
-/// Calls Python while a run goes on. What is raised there ends the run.
-class Follower : public run::Observer {
- public:
-  explicit Follower(py::object progress) : progress_(std::move(progress)) {}
-  ~Follower() override {
-    const py::gil_scoped_acquire python;
-    progress_ = py::object();
-  }
-
-  void step(const run::Record& record) override {
-    const py::gil_scoped_acquire python;
-    if (!progress_.is_none()) progress_(record.last());
-  }
-  /// So that Ctrl-C ends a run.
-  void iteration(const run::Record&, const solve::IterationReport&) override {
-    const py::gil_scoped_acquire python;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  }
-
- private:
-  py::object progress_;
-};
-
-class PySession {
- public:
-  PySession(const py::object& scene, int threads, bool allow_plugins, bool verbose) : verbose_(verbose) {
-    initialise();
-    run::Options options;
-    options.threads = threads;
-    options.allow_plugins = allow_plugins;
-    if (Tpetra::getDefaultComm()->getRank() == 0) options.log = base::Log(std::cout, std::cerr, !verbose);
-    if (!verbose) options.log = base::Log();
-    if (py::isinstance<py::dict>(scene)) {
-      Teuchos::ParameterList list("scene");
-      fill(list, scene.cast<py::dict>(), "scene");
-      session_ = std::make_unique<run::Session>(list, "dictionary", options);
-    } else {
-      const auto path = py::module_::import("os").attr("fspath")(scene).cast<std::string>();
-      session_ = std::make_unique<run::Session>(path, options);
-    }
-  }
-
-  void run(const py::object& output, const py::object& progress) {
-    if (ran_) throw py::value_error("a session runs once; make another one of the same scene");
-    run::OutputOptions options;
-    if (!output.is_none()) options.folder = py::module_::import("os").attr("fspath")(output).cast<std::string>();
-    run::add_outputs(*session_, options);
-    ran_ = true;
-    session_->add(std::make_unique<Follower>(progress));  // last: what it ends is written
-    {
-      const py::gil_scoped_release others;
-      session_->run();
-    }
-    if (!verbose_) warn();
-  }
-
-  const run::Record& record() const { return session_->record(); }
-  const scene::Scene& scene() const { return session_->scene(); }
-  run::Session& session() { return *session_; }
-
-  std::shared_ptr<FieldSet> fields() {
-    const auto now = record().shared_fields();
-    if (fields_ == nullptr || &fields_->all() != now.get())
-      fields_ = std::make_shared<FieldSet>(scene().problem(), now);
-    return fields_;
-  }
-
-  const run::PressureReport& pressure() const {
-    if (record().reports().empty()) throw py::value_error("no step of the run was accepted yet");
-    return record().pressure();
-  }
-
- private:
-  /// What nobody has printed must not pass unseen.
-  void warn() {
-    for (const std::string& warning : session_->log().warnings())
-      if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
-  }
-
-  std::unique_ptr<run::Session> session_;
-  std::shared_ptr<FieldSet> fields_;
-  bool verbose_, ran_ = false;
-};
 
 template <class F>
 auto column(const std::vector<result::LevelRow>& rows, const F& value) {
@@ -345,6 +116,7 @@ void add_errors(py::module_& m) {
       "The scene, or a file that it names, cannot be used; the message names list, parameter and what is allowed.";
   solve.doc() = "A stage could not reach its end. The session holds the last converged state.";
   check.doc() = "All was computed, but a check of the scene does not hold.";
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): a translator is given it by value
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
