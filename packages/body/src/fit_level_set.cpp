@@ -13,7 +13,6 @@ namespace {
 
 constexpr double normal_weight = 0.03 * 0.03;  ///< of |grad f - n|^2 beside f^2, lengths in cells
 constexpr double ridge = 1e-9;                 ///< keeps coefficients that no datum fixes near zero
-constexpr double sample_spacing = 0.5;         ///< cells
 /// The integral of the third derivatives counts as if it were taken over this many cells of thickness everywhere,
 /// whatever the layers of active cells that the surface happens to have.
 constexpr double thickness = 4.0;

@@ -16,8 +16,8 @@
 namespace toile::body {
 namespace {
 
-constexpr double seed_spacing = 0.5;  ///< cells
-constexpr double least_range = 25.0;  ///< mm; fabric further away has no business with the smooth surface
+constexpr double sample_spacing = 0.5;  ///< cells
+constexpr double least_range = 25.0;    ///< mm; fabric further away has no business with the smooth surface
 
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
@@ -73,7 +73,7 @@ double quantile(std::vector<std::array<double, 2>> values, double weight) {
 /// Of a mesh whose grid is not too large: the finer the cells, the more samples.
 SurfaceSamples samples_of(const TriangleMesh& mesh, double cell) {
   SheetGrid::box_of(mesh.vertices, cell);
-  return SurfaceSamples(mesh, seed_spacing * cell);
+  return SurfaceSamples(mesh, sample_spacing * cell);
 }
 
 class LevelSetSurface final : public Surface {

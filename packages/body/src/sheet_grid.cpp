@@ -1,6 +1,7 @@
 #include "sheet_grid.hpp"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -39,13 +40,6 @@ struct Neighbourhood {
   std::vector<int> start;
   std::vector<int> others;
 };
-
-int root_of(std::vector<int>* parent, int i) {
-  while ((*parent)[i] != i) {
-    i = (*parent)[i] = (*parent)[(*parent)[i]];
-  }
-  return i;
-}
 
 }  // namespace
 
@@ -177,7 +171,7 @@ void SheetGrid::number_nodes(const std::vector<std::array<std::vector<int>, 3>>&
   }
   std::vector<int> place(cells_.size(), -1);
   std::vector<std::array<int, 2>> around;  // cells that use the node, and the node's number in them
-  std::vector<int> parent, unknown;
+  std::vector<int> rank, parent, unknown;
   for (std::size_t u = 0; u < used.size(); ++u) {
     if (used[u] == 0) continue;
     const int at = static_cast<int>(u);
@@ -191,18 +185,22 @@ void SheetGrid::number_nodes(const std::vector<std::array<std::vector<int>, 3>>&
         around.push_back({c, n});
       }
     }
+    rank.resize(around.size());
     parent.resize(around.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    boost::disjoint_sets<int*, int*> sheets(rank.data(), parent.data());
+    for (std::size_t a = 0; a < around.size(); ++a) {
+      sheets.make_set(static_cast<int>(a));
+    }
     for (std::size_t a = 0; a < around.size(); ++a) {
       for (const auto& list : beyond[around[a][0]]) {
         for (const int other : list) {
-          if (place[other] >= 0) parent[root_of(&parent, static_cast<int>(a))] = root_of(&parent, place[other]);
+          if (place[other] >= 0) sheets.union_set(static_cast<int>(a), place[other]);
         }
       }
     }
     unknown.assign(around.size(), -1);
     for (std::size_t a = 0; a < around.size(); ++a) {
-      int& number = unknown[root_of(&parent, static_cast<int>(a))];
+      int& number = unknown[sheets.find_set(static_cast<int>(a))];
       if (number < 0) {
         number = static_cast<int>(nodes_.size());
         nodes_.push_back(node);
