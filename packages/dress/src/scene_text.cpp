@@ -46,8 +46,6 @@ void add_garment(Node scene, const SceneFiles& files) {
   set(fabric, "type", "string", "rebar");
   set(fabric, "set", "string", files.fabric);
   set(fabric, "compression", "string", "tension field");
-  note(fabric, "Wrinkled fabric keeps this much of its stiffness: what is loose comes to rest sooner.");
-  set(fabric, "residual stiffness", "double", "0.01");
   Node pattern = list(scene, "Pattern");
   note(pattern, "Scaled, and placed beside the body.");
   set(pattern, "file", "string", files.pattern);

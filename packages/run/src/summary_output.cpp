@@ -35,7 +35,6 @@ std::string stability(int negative_pivots) {
 
 /// What compression in the fabric means.
 std::string compression_text(const material::Response& fabric) {
-  if (fabric.compression() == "tension field") return "what the residual stiffness of wrinkled fabric leaves";
   if (fabric.compression() == "slack fibres") return "compression that lies along no yarn; real fabric wrinkles there";
   return "compression: real fabric wrinkles there";
 }

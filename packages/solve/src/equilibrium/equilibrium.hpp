@@ -12,6 +12,7 @@
 #include "terms/dead_load.hpp"
 #include "terms/evaluation.hpp"
 #include "terms/pressure_load.hpp"
+#include "terms/residual_stiffness.hpp"
 #include "terms/strain.hpp"
 #include "toile/solve/options.hpp"
 
@@ -111,6 +112,7 @@ class Equilibrium {
  private:
   Forces no_forces() const;
   Forces forces_of(Term* term, const Configuration& at) const;
+  Forces forces_of_fabric(const Configuration& at);
   Evaluation evaluation(const Forces& forces, const Vector& f) const;
   void find_measures();
   void adopt_thickness(const Configuration& at);
@@ -127,6 +129,7 @@ class Equilibrium {
   Diagonal diagonal_;
   Kinematics kinematics_;
   Strain strain_;
+  std::optional<ResidualStiffness> residual_stiffness_;
   std::optional<DeadLoad> dead_load_;
   std::optional<PressureLoad> pressure_load_;
   std::optional<Damper> damper_;
