@@ -102,8 +102,9 @@ std::string text_of(const Record& record, const base::Timer& timer) {
   if (report.energy.stabilisation != 0.0)
     out << "  of it in hourglass modes of reduced shells: "
         << 100.0 * report.energy.stabilisation / report.energy.strain << " %\n";
-  out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots)
-      << "\n";
+  out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots);
+  if (report.accuracy.kept > 0.0) out << "; the residual stiffness of slack fabric carries " << report.accuracy.kept;
+  out << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";

@@ -230,6 +230,20 @@ double Equilibrium::stabilisation_energy(const Vector& z, double s) {
   return sum(strain_.stabilisation_energy(kinematics_.at(z, s)));
 }
 
+double Equilibrium::kept_residual(const Vector& z, double s) {
+  if (!residual_stiffness_) return 0.0;
+  Vector f(z.getMap());
+  residual_stiffness_->set_active(false);
+  const Evaluation without = residual(z, s, f);
+  residual_stiffness_->set_active(true);
+  return without.imbalance.relative();
+}
+
+bool Equilibrium::keep_in_place(const Vector& z, double s) {
+  if (residual_stiffness_) residual_stiffness_->start_step(kinematics_.at(z, s));
+  return residual_stiffness_.has_value();
+}
+
 double Equilibrium::dissipation(const Vector& z, double s) const {
   return sum(damper_->dissipation(kinematics_.at(z, s)));
 }

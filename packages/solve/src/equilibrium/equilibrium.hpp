@@ -71,6 +71,8 @@ class Equilibrium {
   ForceBalance balance(const Vector& z, double s);
   /// The part of the strain energy at (z, s) that only stabilises reduced elements, N mm. Collective.
   double stabilisation_energy(const Vector& z, double s);
+  /// The relative residual that the residual stiffness carries. Collective.
+  double kept_residual(const Vector& z, double s);
   double dissipation(const Vector& z, double s) const;  ///< c sum M |x - x_n|^2 / dt, N mm, of the step from x_n to z
   /// Rate of the residual with s at fixed z, by differences of 1e-5; at the start of a stage forwards, because a
   /// support's path may have a kink there.
@@ -88,6 +90,8 @@ class Equilibrium {
   /// x_n of the damping and of contact, frames of the directors, thickness of shells; the tangent will be factorised
   /// afresh.
   void start_step(const Vector& converged, double s);
+  /// Residual stiffness counts from z on. False: there is none.
+  bool keep_in_place(const Vector& z, double s);
   void set_damping(double coefficient) { damper_->set_coefficient(coefficient); }
   double damping() const { return damper_->coefficient(); }
   void set_first_step(double ds) { damper_->set_first_step(ds); }

@@ -23,7 +23,10 @@ bool Simulation::Data::finish() {
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
     if (!solve(1.0)) return false;
-    if (equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0) return true;
+    const bool same = equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0;
+    // Once more from there: where fabric carries tension the residual stiffness then carries nothing.
+    const bool kept = round == 0 && equilibrium->keep_in_place(*z, 1.0);
+    if (same && !kept) return true;
     equilibrium->retract(*z, 1.0);
   }
   return false;

@@ -119,6 +119,7 @@ void ResidualStiffness::add_forces(const Part& part, size_t element, const Confi
 }
 
 void ResidualStiffness::add(const Configuration& at, Forces& forces, double* tangent) {
+  if (!active_) return;
   for (Part& part : parts_) {
     const size_t n = part.nodes, unknowns = 3 * n, elements = part.layout->elements.size();
     for (size_t e = 0; e < elements; ++e) add_forces(part, e, at, forces);

@@ -7,9 +7,9 @@
 
 namespace toile::solve {
 
-/// Keeps slack fabric, which carries nothing, where the stage found it: the potential
+/// Keeps slack fabric, which carries nothing, where the step found it: the potential
 ///   eps/2 h0 D0 int |grad(x - x_0)|^2 dA
-/// over the pattern, x_0 the positions at the start of the stage, D0 the mean of the fabric's natural stiffness along
+/// over the pattern, x_0 the positions at the start of the step, D0 the mean of the fabric's natural stiffness along
 /// wale and course, eps its residual stiffness; of shells h0^2 over the block's area times as much. It is quadratic and
 /// convex, so that it adds no folds of its own as compressed fabric would (doc/theory.md, "Residual stiffness").
 class ResidualStiffness : public Term {
@@ -17,11 +17,13 @@ class ResidualStiffness : public Term {
   /// Whether any fabric has some.
   static bool is_in(const Problem& problem);
 
-  /// `start`: of the stage.
+  /// `start`: of the first step.
   ResidualStiffness(const Problem& problem, const Layout& layout, const Graph& graph, const Configuration& start);
 
   void add(const Configuration& at, Forces& forces, double* tangent) override;
   double potential(const Configuration& at, const Configuration& held) override;
+  void start_step(const Configuration& at) override { start_ = at.x; }
+  void set_active(bool active) { active_ = active; }
 
  private:
   /// The elements of one block on this rank.
@@ -37,6 +39,7 @@ class ResidualStiffness : public Term {
 
   const Layout& layout_;
   std::vector<double> start_;  ///< [local node][3] mm
+  bool active_ = true;
   std::vector<Part> parts_;
 };
 
