@@ -161,7 +161,8 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
   for (const base::List& panel : panels) {
     check_name(panel);
     if (!panel.has_list("Zones")) continue;
-    for (const base::List& zone : panel.list("Zones").entries()) check_name(zone);
+    for (const base::List& zone : panel.list("Zones").entries())
+      if (!zone.word("material").empty()) check_name(zone);
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
     const material::Material& fabric = *materials_.at(garment_.mesh.blocks[b].material);
