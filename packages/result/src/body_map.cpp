@@ -8,28 +8,13 @@
 
 #include "toile/body/triangle_tree.hpp"
 #include "triangulate.hpp"
+#include "vertex_normals.hpp"
 
 namespace toile::result {
 namespace {
 
 using body::Vec3;
 using Hit = body::TriangleTree::Hit;
-
-/// Unit normals of the vertices, weighted by the area of their triangles.
-std::vector<Vec3> vertex_normals(const body::TriangleMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-  const auto vertex = [&](int i) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(i)]; };
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 normal = (vertex(b) - vertex(a)).cross(vertex(c) - vertex(a));
-    for (const int i : {a, b, c}) {
-      normals[static_cast<std::size_t>(i)] += normal;
-    }
-  }
-  for (Vec3& normal : normals) {
-    normal.normalize();
-  }
-  return normals;
-}
 
 /// Value at a place inside a triangle.
 template <class T>

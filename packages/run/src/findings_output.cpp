@@ -54,7 +54,7 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 /// What a reader must know of a row.
 std::string remark(const result::LevelRow& row) {
   if (!row.reached()) return "not reached";
-  std::string text = row.closed ? "" : "open";
+  std::string text = row.mirrored ? "half, with its mirror image" : row.closed ? "" : "open";
   if (row.at_support) text += std::string(text.empty() ? "" : ", ") + "at a support";
   return text;
 }

@@ -111,9 +111,9 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   out.stations = list.integer("stations");
   if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
   if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
-  out.body_size = list.real("body size");
+  if (list.given("body size")) out.body_size = list.real("body size");
   try {
-    if (problem.surface != nullptr) problem.surface->triangles(out.body_size);
+    if (problem.surface != nullptr) problem.surface->triangles(out.body_size.value_or(formula_body_size));
   } catch (const base::InputError& error) {
     list.fail("body size", error.what());
   }

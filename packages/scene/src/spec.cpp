@@ -54,8 +54,10 @@ Spec output_spec() {
             0.0, Range::non_negative())
       .integer("stations", "Points of the pressure curve along the axis, at least 2; 0: no curve.", 0,
                Range::between(0, 10000))
-      .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
-            Range::positive())
+      .real("body size", "mm",
+            "Edge length of the triangles that show the body. Left out: 5 of a body given by a formula; of one from a "
+            "file the mean side of the garment's elements, near the garment, and beyond it the file's own triangles.",
+            std::numeric_limits<double>::quiet_NaN(), Range::positive())
       .flag("crossings",
             "Whether fabric that passes through itself or through other panels is looked for: at the start, in every "
             "written state and at the end of each stage, which warns. Elements that have a node or a seam in common do "

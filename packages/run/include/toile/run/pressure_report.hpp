@@ -24,4 +24,9 @@ std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepRepo
 /// [element] true where some nodes are held by a support and others are not.
 std::vector<bool> elements_at_supports(const solve::Problem& problem);
 
+/// [node] number of the plane of symmetry in which a support holds it, and nodes that are sewn to it; -1: in none. A
+/// support that holds one of x, y and z, and whose nodes all lie at one place of it and do not move along it, holds the
+/// garment as its own mirror image would.
+std::vector<int> mirror_planes(const solve::Problem& problem);
+
 }  // namespace toile::run
