@@ -100,6 +100,14 @@ TEST_F(Dress, TellsTheScaleThatFits) {
                     HasSubstr("with --scale 0.28 its tightest")));
 }
 
+// A garment that is loose everywhere is told before it is run; one that is tight somewhere is not.
+TEST_F(Dress, TellsThatItIsLoose) {
+  write("tube.json", tube);
+  const std::string command = "dress tube.json column.obj --output out --hem 140 --only-scene";
+  EXPECT_THAT(toile(command + " --scale 1.3").out, HasSubstr("loose everywhere: little will press"));
+  EXPECT_THAT(toile(command).out, Not(HasSubstr("loose everywhere")));
+}
+
 // What cannot be dressed is refused by its reason: no height, elements too long, panels across or none behind, a
 // body of another unit.
 TEST_F(Dress, RefusesWhatCannotBePlaced) {
