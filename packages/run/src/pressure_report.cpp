@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "toile/result/body_map.hpp"
 #include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
@@ -71,6 +72,28 @@ std::vector<bool> elements_at_supports(const solve::Problem& problem) {
     }
   }
   return at_support;
+}
+
+std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                         const solve::StepReport& report) {
+  std::vector<solve::Vec3> places, normals;
+  for (const scene::BodyPoint& point : scene.output().body_points) {
+    places.push_back(point.place);
+    normals.push_back(point.normal);
+  }
+  if (places.empty()) return {};
+  const result::BodyMap map(
+      {scene.problem().mesh, fields.position, tied_nodes(scene.problem(), report), fields.gap, fields.normal}, places,
+      normals);
+  const std::vector<double> pressure = map.map(fields.pressure), error = map.map(fields.pressure_error),
+                            gap = map.map(fields.gap),
+                            layers = map.map(std::vector<double>(fields.position.size(), 1.0));
+  std::vector<BodyPressure> all;
+  for (size_t p = 0; p < places.size(); ++p) {
+    all.push_back({pressure[p], error[p], std::nullopt});
+    if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
+  }
+  return all;
 }
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields,

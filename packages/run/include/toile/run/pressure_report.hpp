@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,16 @@ struct PressureReport {
 };
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report);
+
+/// What fabric presses on a place of the body.
+struct BodyPressure {
+  double pressure = 0.0, error = 0.0;  ///< MPa; layers are added up
+  std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric lies there
+};
+
+/// [body point of the scene]
+std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                         const solve::StepReport& report);
 
 /// [node] the first of the nodes that a closed seam holds together with it.
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
