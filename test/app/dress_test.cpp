@@ -100,12 +100,22 @@ TEST_F(Dress, TellsTheScaleThatFits) {
                     HasSubstr("with --scale 0.28 its tightest")));
 }
 
+// A garment that is loose everywhere is told before it is run; one that is tight somewhere is not.
+TEST_F(Dress, TellsThatItIsLoose) {
+  write("tube.json", tube);
+  const std::string command = "dress tube.json column.obj --output out --hem 140 --only-scene";
+  EXPECT_THAT(toile(command + " --scale 1.3").out, HasSubstr("loose everywhere: little will press"));
+  EXPECT_THAT(toile(command).out, Not(HasSubstr("loose everywhere")));
+}
+
 // What cannot be dressed is refused by its reason: no height, elements too long, panels across or none behind, a
 // body of another unit.
 TEST_F(Dress, RefusesWhatCannotBePlaced) {
   EXPECT_THAT(refusal("1000", "1000", ""), HasSubstr("no seam joins front and back on the shoulders"));
   EXPECT_THAT(refusal("1000", "1000", "--hem 140 --size 60"), HasSubstr("elements of 60 mm (--size) are too long"));
-  EXPECT_THAT(refusal("1000", "1000", "--hem 600"), HasSubstr("the body is not where the pattern is"));
+  EXPECT_THAT(refusal("1000", "1000", "--hem 600"),
+              AllOf(HasSubstr("the body is not where the pattern is"), HasSubstr("at heights of 602 to 718 mm"),
+                    HasSubstr("The garment measures 340 mm round at most"), HasSubstr("is --hem too high")));
   EXPECT_THAT(refusal("[0, 0, 0]", "[0, 90, 0]", "--hem 140"), HasSubstr("panel \"front\" lies across the front"));
   EXPECT_THAT(refusal("\"translation\": [0, 0, -100]", "\"translation\": [400, 0, -100]", "--hem 140"),
               HasSubstr("no panel lies behind the trunk"));

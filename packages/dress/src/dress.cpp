@@ -122,6 +122,11 @@ class Dressing {
     }
     lines.push_back("tightest: " + place_of(dressed.tightest) + ", " + ease_of(dressed.tightest) + "; " +
                     scale_text(dressed));
+    constexpr double loose = 1.1;  // width of a garment, over the body's, that nothing holds in shape
+    if (dressed.tightest.stretch() * loose < 1.0)
+      lines.push_back(
+          "loose everywhere: little will press, and it may take many minutes to come to rest, or not come to "
+          "rest at all (nothing rubs, and nothing hangs)");
     return lines;
   }
 

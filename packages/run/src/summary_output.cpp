@@ -5,6 +5,7 @@
 
 #include "figures.hpp"
 #include "output.hpp"
+#include "toile/base/memory.hpp"
 #include "toile/base/units.hpp"
 #include "toile/material/response.hpp"
 
@@ -108,6 +109,7 @@ std::string text_of(const Record& record, const base::Timer& timer) {
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";
+  out << "  memory: " << std::lround(base::peak_memory()) << " MB at most, on the first rank\n";
   out << "  modules used: " << joined(scene.used()) << "\n  modules left out: " << joined(scene.left_out()) << "\n";
   out << timer.table();
   return out.str();
