@@ -4,12 +4,11 @@
 Usage: variations.py [toile] [folder]     (build/release/toile, results/tshirt-variations)
 """
 
-import csv
 import os
 import re
-import subprocess
 import sys
-import time
+
+from runs import levels, run, told
 
 INPUT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "input")
 MESHES = {"coarse": 15.2, "middle": 6.6, "fine": 3.9}
@@ -82,37 +81,15 @@ def scene(folder, body, pattern, mesh, law):
     return path
 
 
-def told(text, pattern, default="-"):
-    found = re.search(pattern, text)
-    return found.group(1) if found else default
-
-
-def levels(folder):
-    """{level: "kPa +- error"} round the trunk."""
-    path = os.path.join(folder, "pressure-levels.csv")
-    if not os.path.exists(path):
-        return {}
-    with open(path, newline="") as file:
-        return {row["level"].split(" (")[0]:
-                f"{float(row['mean pressure [kPa]']):.2f} +- {float(row['error of the mean pressure [kPa]']):.2f}"
-                for row in csv.DictReader(line for line in file if not line.startswith("#"))
-                if "front" in row["panels"]}
-
-
 def main(toile, results):
     print("| body | pattern | mesh | fabric | status | nodes | iterations | s | bust kPa | underbust kPa | waist kPa |")
     print("|---|---|---|---|---|---|---|---|---|---|---|", flush=True)
     for body, pattern, mesh, law in CASES:
         folder = os.path.join(results, f"body-{body}-pattern-{pattern}-{mesh}-{law}")
-        begun = time.time()
-        run = subprocess.run([toile, "run", scene(folder, body, pattern, mesh, law), "--output", folder],
-                             capture_output=True, text=True)
-        with open(os.path.join(folder, "log.txt"), "w") as file:
-            file.write(run.stdout + run.stderr)
-        pressure = levels(folder) if run.returncode == 0 else {}
-        print(f"| {body} | {pattern} | {mesh} | {law} | {run.returncode} | "
-              f"{told(run.stdout + run.stderr, r'mesh: ([0-9]+) nodes')} | "
-              f"{told(run.stdout, r'([0-9]+) Newton iterations')} | {time.time() - begun:.0f} | "
+        status, text, seconds = run(scene(folder, body, pattern, mesh, law), folder, toile)
+        pressure = levels(folder) if status == 0 else {}
+        print(f"| {body} | {pattern} | {mesh} | {law} | {status} | {told(text, r'mesh: ([0-9]+) nodes')} | "
+              f"{told(text, r'([0-9]+) Newton iterations')} | {seconds:.0f} | "
               + " | ".join(pressure.get(name, "-") for name in ("bust", "underbust", "waist")) + " |", flush=True)
 
 

@@ -134,6 +134,28 @@ TEST_F(Dress, RefusesWhatCannotBeSewn) {
   EXPECT_THAT(refusal("[85, 120], [-85, 120]", "[85, 150], [-85, 150]", "--hem 140"), HasSubstr("ease"));
 }
 
+// A T-shirt with sleeves of one panel is dressed by one command: they start round the arms, and the seams close.
+TEST_F(Dress, WholeSleevesStartRoundTheArms) {
+  const Outcome outcome = toile("dress " TOILE_SOURCE_DIR "/input/patterns/tshirt.json " TOILE_SOURCE_DIR
+                                "/input/bodies/female_body.obj --output out --only-scene --size 20");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("left sleeve: left_sleeve (whole)"), HasSubstr("right sleeve: right_sleeve (whole)")));
+  const Outcome start = toile("check out/scene.xml");
+  EXPECT_EQ(start.status, 0) << start.err;
+  EXPECT_THAT(start.out, HasSubstr("left_sleeve.underarm_back to left_sleeve.underarm_front, 0 mm apart"));
+}
+
+// A shirt that is a third wider than the woman who wears it comes to rest: it lies on the shoulders and presses nowhere
+// else.
+TEST_F(Dress, ALooseShirtComesToRest) {
+  const Outcome outcome =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --size 26");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("loose everywhere"), HasSubstr("stable (no negative pivot)")));
+}
+
 // The tee of a pattern generator on a woman's body: its panels are told apart, and their girths from hers.
 TEST_F(Dress, ComparesATeeWithAWoman) {
   const Outcome outcome = toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/gpg_tee.json " TOILE_SOURCE_DIR
