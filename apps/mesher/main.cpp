@@ -27,7 +27,7 @@ struct Refinement {
 };
 
 struct Area {
-  bool triangles = false;
+  bool triangles = false, greedy = false;
   double size = 0.0;
   Points points;
   Lines loops, lines;
@@ -73,6 +73,7 @@ Area read_area(std::istream& in) {
   std::string kind;
   in >> kind >> area.size;
   area.triangles = kind == "triangles";
+  area.greedy = kind == "greedy-quadrilaterals";
   area.points = read_points(in);
   area.loops = read_lines(in, static_cast<int>(area.points.x.size()));
   area.lines = read_lines(in, static_cast<int>(area.points.x.size()));
@@ -155,8 +156,8 @@ void generate(const Area& area) {
   if (!inside.empty()) gmsh::model::mesh::embed(1, inside, 2, surface);
   for (const int line : kept) gmsh::model::mesh::setTransfiniteCurve(line, 2);
   set_sizes(area, centres);
-  gmsh::option::setNumber("Mesh.Algorithm", 6);               // frontal Delaunay
-  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);  // Blossom
+  gmsh::option::setNumber("Mesh.Algorithm", 6);                                 // frontal Delaunay
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", area.greedy ? 0 : 1);  // 1: Blossom
   gmsh::option::setNumber("General.NumThreads", 1);
   if (!area.triangles) gmsh::model::mesh::setRecombine(2, surface);
   gmsh::model::mesh::generate(2);

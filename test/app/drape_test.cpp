@@ -55,8 +55,7 @@ TEST_F(Draped, RefusesWhatCannotBeDraped) {
   const Outcome curved = toile("check scene.xml");
   EXPECT_EQ(curved.status, 2);
   EXPECT_THAT(curved.err, HasSubstr("takes the placed shape as stress-free would forget that"));
-  EXPECT_THAT(narrow.err, HasSubstr("the pattern is too small for the body, or a panel hangs on a limb: a side of an "
-                                    "element of panel \""));
+  EXPECT_THAT(narrow.err, HasSubstr("the pattern is too small for the body: to lie round it, half of panel \""));
 }
 
 }  // namespace

@@ -100,5 +100,50 @@ TEST_F(Mannequin, Refusals) {
   expect("--wiast 60", "unknown option of \"toile body make\" \"--wiast\"; did you mean \"--waist\"?");
 }
 
+// A scene may have a mannequin as its body: the one that the command makes of the same measurements, with its
+// landmarks. What contradicts itself is refused where it stands.
+TEST_F(Mannequin, OfAScene) {
+  const auto checked = [this](const std::string& body) {
+    write("scene.xml", R"xml(<ParameterList name="scene"><ParameterList name="Body">)xml" + body +
+                           R"xml(<Parameter name="cell" type="double" value="20"/></ParameterList>
+      <ParameterList name="Materials"><ParameterList name="knit"><Parameter name="type" type="string" value="rebar"/>
+        <Parameter name="set" type="string" value="pantyhose"/></ParameterList></ParameterList>
+      <ParameterList name="Panels"><ParameterList name="band"><Parameter name="material" type="string" value="knit"/>
+        <Parameter name="shape" type="string" value="rectangle"/>
+        <Parameter name="width" type="double" value="500"/><Parameter name="height" type="double" value="60"/>
+        <Parameter name="elements across" type="int" value="24"/><Parameter name="elements along" type="int" value="3"/>
+        <ParameterList name="Placement"><Parameter name="type" type="string" value="wrap"/>
+          <Parameter name="axis bottom" type="Array(double)" value="{0, -30, 0}"/>
+          <Parameter name="axis top" type="Array(double)" value="{0, -30, 1}"/>
+          <Parameter name="from" type="string" value="waist - 40"/>
+          <Parameter name="to" type="string" value="waist + 20"/>
+          <Parameter name="coverage" type="double" value="0.95"/></ParameterList></ParameterList></ParameterList>
+      <ParameterList name="Seams"><ParameterList name="side"><Parameter name="first" type="string" value="band.left"/>
+        <Parameter name="second" type="string" value="band.right"/></ParameterList></ParameterList>
+      <ParameterList name="Stages"><ParameterList name="sew"><Parameter name="type" type="string" value="sew"/>
+        <ParameterList name="Damping"/></ParameterList></ParameterList></ParameterList>)xml");
+    return toile("check scene.xml");
+  };
+  const auto surface = [](const std::string& text) {
+    const std::size_t from = text.find("triangles in reach");
+    EXPECT_NE(from, std::string::npos) << text;
+    return text.substr(from, text.find(", fitted in", from) - from);
+  };
+  const std::string waist = R"(<Parameter name="waist" type="double" value=")";
+  const Outcome own = checked(R"(<Parameter name="type" type="string" value="mannequin"/>)" + waist +
+                              R"(660"/><Parameter name="edge" type="double" value="14"/>)");
+  ASSERT_EQ(own.status, 0) << own.err;
+  EXPECT_THAT(own.out, HasSubstr("mannequin (height 1580, bust 830, waist 660, hip 900)"));
+  ASSERT_EQ(toile("body make --waist 66 --edge 14 --output form.obj").status, 0);
+  const Outcome file = checked(R"(<Parameter name="type" type="string" value="file"/>)"
+                               R"(<Parameter name="file" type="string" value="form.obj"/>)");
+  ASSERT_EQ(file.status, 0) << file.err;
+  EXPECT_EQ(surface(own.out), surface(file.out));
+  const Outcome wide = checked(R"(<Parameter name="type" type="string" value="mannequin"/>)" + waist + R"(950"/>)");
+  EXPECT_EQ(wide.status, 2);
+  EXPECT_THAT(wide.err, AllOf(HasSubstr("scene.xml: scene > Body: parameter \"type\" = \"mannequin\": "),
+                              HasSubstr("waist 95 cm and hip 90 cm contradict each other")));
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -146,5 +146,19 @@ TEST(Seeds, EndlessSeamsAreRefused) {
   }
 }
 
+// Two zones that end 0.02 mm beside each other on either side of a seam are refused with the edge and the place.
+TEST(Seeds, RefusesASliver) {
+  SeededEdge front = edge("front.side", 100.0, 9.0), back = edge("back.side", 100.0, 9.0);
+  front.kept = {0.3};
+  back.kept = {0.3002};
+  const std::vector<SeededSeam> seam = {{"side", {0, 0.0, 1.0}, {1, 0.0, 1.0}, false}};
+  try {
+    plan_seeds({front, back}, seam);
+    FAIL() << "no error";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("edge \"front.side\" needs two nodes that are 0.02 mm apart, at 30 mm"));
+  }
+}
+
 }  // namespace
 }  // namespace toile::garment

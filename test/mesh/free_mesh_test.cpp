@@ -172,14 +172,14 @@ TEST(Zones, LiesOnBothSidesOfALine) {
   input.lines = {{2, 12, 8}};
   PanelMesh panel = panel_of(mesh_freely(input));
   PanelMesh whole = panel;
-  divide_into_zones(panel, input.lines, {{"band", {6.5, 1.5}}});
+  divide_into_zones(panel, input.lines, {{{"band", {6.5, 1.5}}}, {}});
   ASSERT_EQ(panel.parts.size(), 2u);
   EXPECT_EQ(panel.parts[0].zone, "");
   EXPECT_EQ(panel.parts[1].zone, "band");
   EXPECT_NEAR(area_of(panel), 32.0, 1e-12);
   for (const int node : panel.parts[1].connectivity) EXPECT_GE(panel.nodes[node].x(), 4.0 - 1e-12);
-  EXPECT_THROW(divide_into_zones(whole, input.lines, {{"out", {9.0, 1.0}}}), base::InputError);
-  EXPECT_THROW(divide_into_zones(whole, input.lines, {{"a", {5.0, 1.0}}, {"b", {7.0, 3.0}}}), base::InputError);
+  EXPECT_THROW(divide_into_zones(whole, input.lines, {{{"out", {9.0, 1.0}}}, {}}), base::InputError);
+  EXPECT_THROW(divide_into_zones(whole, input.lines, {{{"a", {5.0, 1.0}}, {"b", {7.0, 3.0}}}, {}}), base::InputError);
 }
 
 // A parallelogram has its angles and the Jacobian 1; a kite's corner is told.

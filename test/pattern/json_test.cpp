@@ -164,7 +164,7 @@ TEST(Json, ErrorsNameTheirPlace) {
   EXPECT_THAT(refusal("[10, 0]", "[0, 0]"), HasSubstr("panel \"front\", edge 0: its two ends are the same point"));
   EXPECT_THAT(refusal("[2, 0]", "[2, 1]"), HasSubstr("panel \"front\": the outline is open"));
   EXPECT_THAT(refusal("\"edge\": 2", "\"edge\": 3"),
-              HasSubstr("stitch 0 1, edge: expected a whole number from 0 to 2"));
+              HasSubstr("stitch 0, second side, edge: expected a whole number from 0 to 2"));
   EXPECT_THAT(refusal("\"units_in_meter\": 100, ", ""), HasSubstr("\"units_in_meter\" is missing"));
   EXPECT_THAT(refusal("relative", "relativ"), HasSubstr("neither \"relative\" nor \"absolute\""));
   EXPECT_THAT(refusal("{\"pattern\"", "{pattern"), HasSubstr("this is no valid JSON"));

@@ -52,6 +52,9 @@ Landmarks find_landmarks(const TriangleMesh& /*mesh*/) {
 SurfacePtr make_from_file(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
   return make_surface(list, nullptr);
 }
+SurfacePtr make_from_measurements(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
+  return make_surface(list, nullptr);
+}
 
 SurfacePtr make_surface(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
   list.fail("type", "this build of Toile has no bodies and no contact (configured with TOILE_ENABLE_BODY=OFF)");

@@ -39,6 +39,12 @@ Spec file_spec() {
               "without friction, fabric comes to rest on their edges, where the normal jumps and no iteration "
               "converges.",
               {"smooth", "facets"}, std::string("smooth"));
+  return add_fit(spec);
+}
+
+}  // namespace
+
+Spec add_fit(Spec spec) {
   spec.real("cell", "mm",
             "Cell of the smooth surface. 0: from the mean edge length: 7 for edges of 5-12 mm, above that 0.55 edges.",
             0.0, Range::non_negative());
@@ -61,8 +67,6 @@ Spec file_spec() {
       Reals{});
   return spec.list(reach);
 }
-
-}  // namespace
 
 Kind file_kind() {
   return {file_spec(), make_from_file};

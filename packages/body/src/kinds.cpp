@@ -12,7 +12,8 @@ namespace toile::body {
   KIND(sphere)                 \
   KIND(cosine)                 \
   KIND(profile)                \
-  KIND(file)
+  KIND(file)                   \
+  KIND(mannequin)
 
 #define TOILE_DECLARE(name) Kind name##_kind();
 TOILE_BODY_KINDS(TOILE_DECLARE)

@@ -3,41 +3,17 @@
 #include <sstream>
 
 #include "file_kind.hpp"
+#include "fitted.hpp"
 #include "flat_faces.hpp"
 #include "import_checks.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/import.hpp"
 #include "toile/body/landmarks.hpp"
-#include "toile/body/level_set.hpp"
 
 namespace toile::body {
 namespace {
 
 using base::List;
-
-Vec3 read_point(const List& list, const std::string& name) {
-  const auto& values = list.reals(name);
-  if (values.size() != 3) {
-    list.fail(name, "needs three values x, y, z");
-  }
-  return {values[0], values[1], values[2]};
-}
-
-Region read_reach(const List& list) {
-  Region region;
-  region.lower.z() = list.real("bottom");
-  region.upper.z() = list.real("top");
-  if (list.given("lower corner")) {
-    region.lower = region.lower.cwiseMax(read_point(list, "lower corner"));
-  }
-  if (list.given("upper corner")) {
-    region.upper = region.upper.cwiseMin(read_point(list, "upper corner"));
-  }
-  if (list.given("seed")) {
-    region.seed = read_point(list, "seed");
-  }
-  return region;
-}
 
 ImportOptions read_import_options(const List& list) {
   ImportOptions options;
@@ -95,8 +71,13 @@ std::string turned_strips_text(double chord) {
 }  // namespace
 
 Landmarks landmarks_of(const List& list) {
+  if (list.word("type") == "mannequin") {
+    return landmarks_of_mannequin(list);
+  }
   if (list.word("type") != "file") {
-    list.fail("type", "landmarks are found on bodies from files; on one that is given by a formula give numbers");
+    list.fail("type",
+              "landmarks are found on bodies from files and on mannequins; on one that is given by a formula give "
+              "numbers");
   }
   return find_landmarks(import_body(path_of(list), read_import_options(list)).mesh);
 }
@@ -109,24 +90,14 @@ SurfacePtr make_from_file(const List& list, const Region* region, BodyFindings* 
               "normal jumps, so that no iteration converges; \"smooth\" fits a surface without edges to them");
   }
   const std::string file = path_of(list);
-  Region reach;
-  std::string source;
-  if (list.has_list("Reach")) {
-    reach = read_reach(list.list("Reach"));
-    source = " (list Reach)";
-  } else if (region != nullptr) {
-    reach = *region;
-    source = " of the panels";
-  }
+  const Reach reach = read_reach(list, region);
   ImportOptions options = read_import_options(list);
-  options.reach = reach;
+  options.reach = reach.region;
   Import import = import_body(file, options);
   const double chord = split_long_triangles(&import.mesh);
   const std::size_t all = import.mesh.triangles.size();
-  TriangleMesh mesh = clip(import.mesh, reach);
-  if (mesh.triangles.empty()) {
-    list.fail("file", "no triangle of the body lies where the garment can reach; see the list Reach");
-  }
+  TriangleMesh mesh = clip(import.mesh, reach.region);
+  check_in_reach(list, "file", mesh);
   BodyFindings found = look_at(list, import, mesh);
   if (chord > deep_chord) {
     found.warnings.push_back(turned_strips_text(chord));
@@ -136,15 +107,11 @@ SurfacePtr make_from_file(const List& list, const Region* region, BodyFindings* 
   }
   std::string name = fs::path(file).filename().string() + ": " + shown_extents(import.extents) + " mm, " +
                      std::to_string(mesh.triangles.size()) + " of " + std::to_string(all) + " triangles in reach" +
-                     source;
+                     reach.source;
   if (!import.notes.empty()) {
     name += ", " + import.notes;
   }
-  try {
-    return level_set(std::move(mesh), {list.real("cell"), list.real("smoothing")}, name);
-  } catch (const base::InputError& error) {
-    list.fail("cell", error.what());
-  }
+  return fit_surface(list, std::move(mesh), name);
 }
 
 }  // namespace toile::body

@@ -8,7 +8,6 @@
 #include "toile/base/error.hpp"
 #include "toile/mesh/free_mesh.hpp"
 #include "toile/mesh/quality.hpp"
-#include "toile/mesh/zones.hpp"
 #include "toile/pattern/lines.hpp"
 
 namespace toile::garment {
@@ -104,7 +103,7 @@ double size_at(const Vec2& point, double size, const std::vector<mesh::Refinemen
 
 std::vector<SeededEdge> free_edges(const base::List& panel, const Cut& cut) {
   try {
-    pattern::check_lines(cut.panel);
+    pattern::check_lines(cut.along_outline());
   } catch (const base::InputError& error) {
     panel.fail("mesher", error.what());
   }

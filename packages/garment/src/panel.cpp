@@ -8,20 +8,10 @@
 #include "placement.hpp"
 #include "shape.hpp"
 #include "toile/base/error.hpp"
-#include "toile/mesh/zones.hpp"
+#include "zones.hpp"
 
 namespace toile::garment {
 namespace {
-
-base::Spec zones_spec() {
-  base::Spec zone("zone", "Part of the panel between its edges and internal lines.");
-  zone.reals("point", "mm", "Any place x, y of the pattern inside the zone.")
-      .word("material", "Name of an entry of the list Materials.")
-      .real("wale angle", "deg", "Angle from the pattern's x axis to the wale direction.", 90.0);
-  base::Spec spec("Zones", "Parts of the panel that are made of another fabric, or of the same in another direction.");
-  spec.entries(zone);
-  return spec;
-}
 
 base::Spec panel_spec() {
   base::Spec spec("panel", "One flat piece of fabric. Its pattern is the stress-free state.");
@@ -48,12 +38,12 @@ Cut read_cut(const base::List& entry) {
       std::find_if(all.begin(), all.end(), [&wanted](const Shape& s) { return s.spec.name() == wanted; });
   Cut cut = shape->cut(entry);
   cut.panel.name = entry.name();
-  if (!shape->drawn) return cut;
   try {
-    pattern::check(cut.along_outline());
+    if (shape->drawn) pattern::check(cut.along_outline());
   } catch (const base::InputError& error) {
     entry.fail("shape", error.what());
   }
+  add_borders(entry, cut);
   return cut;
 }
 
@@ -117,33 +107,6 @@ class Seeding {
   std::vector<SeededSeam> seams_;
 };
 
-std::map<std::string, mesh::ZoneFabric> read_fabrics(const base::List& entry) {
-  const auto fabric = [](const base::List& list) {
-    return mesh::ZoneFabric{list.word("material"), list.real("wale angle") * M_PI / 180.0};
-  };
-  std::map<std::string, mesh::ZoneFabric> all{{"", fabric(entry)}};
-  if (entry.has_list("Zones"))
-    for (const base::List& zone : entry.list("Zones").entries()) all[zone.name()] = fabric(zone);
-  return all;
-}
-
-void add_zones(const base::List& entry, const Cut& cut, mesh::PanelMesh& mesh) {
-  if (!entry.has_list("Zones")) return;
-  std::map<std::string, mesh::Vec2> points;
-  for (const base::List& zone : entry.list("Zones").entries()) {
-    const base::Reals& at = zone.reals("point");
-    if (at.size() != 2) zone.fail("point", "needs two numbers, x and y");
-    points[zone.name()] = {at[0], at[1]};
-  }
-  std::vector<std::vector<int>> lines;
-  for (const pattern::InternalLine& line : cut.panel.lines) lines.push_back(mesh.edges.at(line.name));
-  try {
-    mesh::divide_into_zones(mesh, lines, points);
-  } catch (const base::InputError& error) {
-    entry.fail("Zones", error.what());
-  }
-}
-
 }  // namespace
 
 base::Spec panels_spec() {
@@ -167,7 +130,7 @@ std::vector<Panel> build_panels(const base::List& panels, const base::List* seam
   for (std::size_t p = 0; p < entries.size(); ++p) {
     Panel panel{entries[p].name(), read_fabrics(entries[p]), mesher_of(entries[p]).mesh(entries[p], cuts[p], seeds[p]),
                 read_shell(entries[p]), cuts[p].panel.placement};
-    add_zones(entries[p], cuts[p], panel.mesh);
+    divide_into_zones(entries[p], cuts[p], panel.mesh);
     all.push_back(std::move(panel));
   }
   return all;

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include "graded_seeds.hpp"
 #include "toile/base/error.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 /// Relative arc lengths that are no further apart are one place.
 constexpr double same = 1e-6;
+/// Of the wanted distance of nodes: places that are closer to each other are meant to be one.
+constexpr double closest = 0.01;
 /// More on one edge come of seams that shift places round and round.
 constexpr std::size_t most_places = 2000;
 
@@ -53,6 +56,7 @@ class Planner {
     while (spread_places(most_places)) {
     }
     check_dictated();
+    check_distances();
     grade();
     return seeds();
   }
@@ -94,6 +98,21 @@ class Planner {
                              " other places, where parts or elements of the other edge end: give both edges the same "
                              "number of elements, end parts at nodes, or mesh its panel freely");
     }
+  }
+
+  /// Two ends of parts, lines or zones that are meant to be one, on either side of a seam, leave a sliver of elements.
+  void check_distances() const {
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      for (std::size_t k = 1; k < places_[e].size() && edges_[e].dictated.empty(); ++k) {
+        const double apart = (places_[e][k] - places_[e][k - 1]) * edges_[e].length;
+        if (apart >= closest * edges_[e].size) continue;
+        std::ostringstream text;
+        text << "edge \"" << edges_[e].name << "\" needs two nodes that are " << apart << " mm apart, at "
+             << places_[e][k - 1] * edges_[e].length << " mm along it, with elements of " << edges_[e].size
+             << " mm: a part, notch, line or zone ends there on either side of its seam. Let them end at one place, or "
+                "further apart";
+        throw base::InputError(text.str());
+      }
   }
 
   /// Part k of edge e, among all parts between two places.

@@ -33,7 +33,8 @@ struct SeededSeam {
 /// [edge] Nodes of all edges. Parts that are sewn together have nodes at equal relative arc lengths of these parts,
 /// through any number of seams; else nodes are evenly spread between those that are kept, closer where an edge is to be
 /// finer. Each part between two kept nodes has an even number of sides, so that quadrilaterals fill a panel. Throws
-/// InputError where what two meshers dictate cannot agree, and where seams ask for more and more nodes.
+/// InputError where what two meshers dictate cannot agree, where nodes would lie closer than a hundredth of what is
+/// wanted, and where seams ask for more and more nodes.
 std::vector<Fractions> plan_seeds(const std::vector<SeededEdge>& edges, const std::vector<SeededSeam>& seams);
 
 }  // namespace toile::garment

@@ -1,6 +1,9 @@
 #include "toile/mesh/zones.hpp"
 
 #include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 #include <set>
@@ -10,6 +13,9 @@
 
 namespace toile::mesh {
 namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::d2::point_xy<double>;
 
 using Side = std::pair<int, int>;
 
@@ -63,36 +69,82 @@ std::vector<std::size_t> areas_of(const std::vector<Element>& elements, const st
   return area;
 }
 
-}  // namespace
+Vec2 centre(const PanelMesh& panel, const Element& element) {
+  Vec2 sum = Vec2::Zero();
+  for (int k = 0; k < element.corners; ++k) sum += panel.nodes[static_cast<std::size_t>(element.nodes[k])];
+  return sum / element.corners;
+}
 
-void divide_into_zones(PanelMesh& panel, const std::vector<std::vector<int>>& lines,
-                       const std::map<std::string, Vec2>& points) {
+/// Puts elements into a zone, none of them into two.
+class Zones {
+ public:
+  explicit Zones(std::size_t elements) : name_(elements) {}
+
+  template <class F>
+  void add(const std::string& name, const F& holds) {
+    bool any = false;
+    for (std::size_t e = 0; e < name_.size(); ++e) {
+      if (!holds(e)) continue;
+      if (!name_[e].empty())
+        throw base::InputError("the zones \"" + name_[e] + "\" and \"" + name +
+                               "\" lie in one area: lines or borders must divide the panel between them, from edge to "
+                               "edge");
+      name_[e] = name;
+      any = true;
+    }
+    if (!any)
+      throw base::InputError("zone \"" + name +
+                             "\" is narrower than the elements of the panel: it holds the centre of none of them");
+  }
+  const std::string& of(std::size_t element) const { return name_[element]; }
+
+ private:
+  std::vector<std::string> name_;
+};
+
+void add_borders(Zones& zones, const PanelMesh& panel, const std::vector<Element>& elements,
+                 const std::map<std::string, std::vector<Vec2>>& borders) {
+  for (const auto& [name, corners] : borders) {
+    bg::model::ring<Point> ring;
+    for (const Vec2& corner : corners) ring.emplace_back(corner.x(), corner.y());
+    bg::correct(ring);
+    zones.add(name, [&, &inside = ring](std::size_t e) {
+      const Vec2 p = centre(panel, elements[e]);
+      return bg::within(Point(p.x(), p.y()), inside);
+    });
+  }
+}
+
+void add_points(Zones& zones, const PanelMesh& panel, const std::vector<Element>& elements,
+                const std::vector<std::vector<int>>& lines, const std::map<std::string, Vec2>& points) {
   if (points.empty()) return;
-  const std::vector<Element> elements = elements_of(panel);
   const std::vector<std::size_t> area = areas_of(elements, lines);
-  std::map<std::size_t, std::string> zone;
   for (const auto& [name, point] : points) {
     const auto found = std::find_if(elements.begin(), elements.end(),
                                     [&, at = point](const Element& element) { return contains(panel, element, at); });
-    std::ostringstream text;
     if (found == elements.end()) {
+      std::ostringstream text;
       text << "the point (" << point.x() << ", " << point.y() << ") mm of zone \"" << name
            << "\" lies outside of the panel's pattern";
       throw base::InputError(text.str());
     }
-    const auto [other, is_new] = zone.try_emplace(area[static_cast<std::size_t>(found - elements.begin())], name);
-    if (!is_new) {
-      text << "the points of the zones \"" << other->second << "\" and \"" << name
-           << "\" lie in one area: the internal lines must divide the panel between them, from edge to edge";
-      throw base::InputError(text.str());
-    }
+    const std::size_t wanted = area[static_cast<std::size_t>(found - elements.begin())];
+    zones.add(name, [&](std::size_t e) { return area[e] == wanted; });
   }
+}
+
+}  // namespace
+
+void divide_into_zones(PanelMesh& panel, const std::vector<std::vector<int>>& lines, const ZonePlaces& places) {
+  if (places.points.empty() && places.borders.empty()) return;
+  const std::vector<Element> elements = elements_of(panel);
+  Zones zones(elements.size());
+  add_borders(zones, panel, elements, places.borders);
+  add_points(zones, panel, elements, lines, places.points);
   std::map<std::pair<std::string, int>, PanelPart> parts;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto found = zone.find(area[e]);
-    const std::string name = found == zone.end() ? "" : found->second;
-    PanelPart& part = parts[{name, -elements[e].corners}];  // quadrilaterals first
-    part.zone = name;
+    PanelPart& part = parts[{zones.of(e), -elements[e].corners}];  // quadrilaterals first
+    part.zone = zones.of(e);
     part.nodes_per_element = elements[e].corners;
     part.connectivity.insert(part.connectivity.end(), elements[e].nodes, elements[e].nodes + elements[e].corners);
   }

@@ -1,31 +1,11 @@
 #include "geometry.hpp"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <sstream>
+
+#include "ring.hpp"
 
 namespace toile::pattern {
 namespace {
-
-namespace bg = boost::geometry;
-using Point = bg::model::d2::point_xy<double>;
-using Polygon = bg::model::polygon<Point, false>;  // counter-clockwise, closed
-
-/// Of the loop's size: how closely its curves are followed where they are checked.
-constexpr double chord = 1e-5;
-
-Polygon::ring_type ring(const Loop& loop) {
-  double length = 0.0;
-  for (const Edge& edge : loop) length += edge.curve.length();
-  Polygon::ring_type points;
-  for (const Edge& edge : loop) {
-    const std::vector<Vec2> curve = edge.curve.points(chord * length);
-    for (std::size_t k = 0; k + 1 < curve.size(); ++k) points.emplace_back(curve[k].x(), curve[k].y());
-  }
-  if (!points.empty()) points.push_back(points.front());
-  return points;
-}
 
 std::string reason(bg::validity_failure_type failure, const std::string& detail) {
   // The library tells the place as "(x, y)" in its own sentence.
@@ -50,8 +30,6 @@ std::string reason(bg::validity_failure_type failure, const std::string& detail)
       return "its outline encloses no piece of fabric: " + detail;
   }
 }
-
-using Line = bg::model::linestring<Point>;
 
 Line ring_line(const Loop& loop) {
   const Polygon::ring_type points = ring(loop);
@@ -107,15 +85,13 @@ double signed_area(const Loop& loop) {
 }
 
 bool lies_on(const Panel& panel, const Vec2& point) {
-  Polygon polygon{ring(panel.outline)};
-  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  Polygon polygon = polygon_of(panel);
   bg::correct(polygon);
   return bg::covered_by(Point(point.x(), point.y()), polygon);
 }
 
 std::string problem_of_lines(const Panel& panel) {
-  Polygon polygon{ring(panel.outline)};
-  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  Polygon polygon = polygon_of(panel);
   // Ends lie on a curve, and so a little beside the polygon that stands for it.
   const double near = 10.0 * chord * bg::length(ring_line(panel.outline));
   const auto text = [](const Point& p) {
@@ -149,8 +125,7 @@ std::string problem_of_lines(const Panel& panel) {
 }
 
 std::string why_invalid(const Panel& panel) {
-  Polygon polygon{ring(panel.outline)};
-  for (const Loop& hole : panel.holes) polygon.inners().push_back(ring(hole));
+  Polygon polygon = polygon_of(panel);
   if (std::string problem = touching(panel); !problem.empty()) return problem;
   std::string detail;
   bg::validity_failure_type failure{};

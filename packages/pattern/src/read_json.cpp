@@ -8,6 +8,7 @@
 #include "json_node.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/file.hpp"
+#include "toile/base/parameters.hpp"
 
 namespace toile::pattern {
 namespace {
@@ -225,7 +226,11 @@ class Reader {
   std::string read_side(const Node& node) const {
     const std::string panel = node.at("panel").text();
     const auto found = pieces_.find(panel);
-    if (found == pieces_.end()) node.fail("there is no panel \"" + panel + "\"");
+    if (found == pieces_.end()) {
+      base::Texts names;
+      for (const auto& entry : pieces_) names.push_back(entry.first);
+      node.at("panel").fail("there is no panel \"" + panel + "\"" + base::hint(panel, names));
+    }
     const Piece& piece = found->second[node.at("edge").index(found->second.size())];
     std::string name = panel + "." + piece.edge;
     if (piece.from == 0.0 && piece.to == 1.0) return name;
@@ -245,11 +250,13 @@ class Reader {
     if (!pattern.has("stitches")) return;
     const Node list = pattern.at("stitches");
     for (std::size_t k = 0; k < list.size(); ++k) {
-      const Node pair = list.at(k).called(path_ + ": stitch " + std::to_string(k));
+      const std::string place = path_ + ": stitch " + std::to_string(k);
+      const Node pair = list.at(k).called(place);
       const bool same_way = pair.size() > 2 && pair.at(2).is_text() && pair.at(2).text() == "right_wrong";
       if (pair.size() > 2 && !same_way) pair.fail("the third entry must be \"right_wrong\"");
-      pattern_.stitches.push_back(
-          {"stitch" + std::to_string(k), read_side(pair.at(std::size_t{0})), read_side(pair.at(1)), !same_way});
+      pattern_.stitches.push_back({"stitch" + std::to_string(k),
+                                   read_side(pair.at(std::size_t{0}).called(place + ", first side")),
+                                   read_side(pair.at(1).called(place + ", second side")), !same_way});
     }
   }
 

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "drape_fault.hpp"
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/body.hpp"
@@ -131,8 +131,6 @@ std::vector<drape::Held> Scene::held_while_draped(const base::List& scene) const
 }
 
 void Scene::drape_garment(const base::List& scene, const base::List& list) {
-  constexpr double closed = 1.0;          // mm
-  constexpr double most_stretched = 3.0;  // length over pattern length
   if (surface_ == nullptr) list.fail("distance", "is from a body, and the scene has none (list \"Body\")");
   for (const std::optional<garment::ShellOptions>& shell : garment_.shells)
     if (shell && shell->placed_is_stress_free)
@@ -142,39 +140,7 @@ void Scene::drape_garment(const base::List& scene, const base::List& list) {
   const garment::Clusters clusters = garment::build_clusters(garment_.mesh.nodes(), garment_.seams);
   const drape::Outcome outcome =
       drape::drape(garment_.mesh, clusters.members, held_while_draped(scene), *surface_, drape::read_options(list));
-  const auto place = [this](int node) {
-    std::ostringstream text;
-    text.precision(4);
-    const mesh::Vec3& at = garment_.mesh.placed[node];
-    text << " near (" << at[0] << ", " << at[1] << ", " << at[2] << ") mm";
-    return text.str();
-  };
-  constexpr const char* look = ". \"toile check SCENE --output FOLDER\" writes how the panels lie, to be looked at";
-  std::ostringstream text;
-  text.precision(4);
-  const char* parameter = "distance";
-  if (outcome.largest_stretch > most_stretched) {
-    text << "the pattern is too small for the body, or a panel hangs on a limb: a side of an element of panel \""
-         << garment_.mesh.panel_of_node(outcome.most_stretched).name << "\" is stretched " << outcome.largest_stretch
-         << " times" << place(outcome.most_stretched) << ", and knits stand " << most_stretched
-         << ". Check the unit and size of the pattern against the body's, and from where the panel comes" << look;
-  } else if (outcome.largest_opening > closed) {
-    parameter = "most rounds";
-    const auto widest = static_cast<size_t>(outcome.widest);
-    text
-        << "after " << outcome.rounds << " rounds the seam \"" << garment::seam_names(clusters, garment_.seams)[widest]
-        << "\" is still open by " << outcome.largest_opening << " mm" << place(clusters.members[widest].front())
-        << ": a panel may hang on a limb that is in its way, or supports hold the two sides of the seam where they are "
-           "placed, at different heights"
-        << look;
-  } else {
-    return;
-  }
-  try {
-    list.fail(parameter, text.str());
-  } catch (const base::InputError& error) {
-    drape_fault_ = error.what();
-  }
+  drape_fault_ = drape_fault(scene, garment_, clusters, *surface_, outcome);
 }
 
 void Scene::check_drape() const {
@@ -195,7 +161,8 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
   for (const base::List& panel : panels) {
     check_name(panel);
     if (!panel.has_list("Zones")) continue;
-    for (const base::List& zone : panel.list("Zones").entries()) check_name(zone);
+    for (const base::List& zone : panel.list("Zones").entries())
+      if (!zone.word("material").empty()) check_name(zone);
   }
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
     const material::Material& fabric = *materials_.at(garment_.mesh.blocks[b].material);

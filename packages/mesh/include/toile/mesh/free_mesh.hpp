@@ -32,9 +32,10 @@ struct FreeMesh {
 };
 
 /// Meshes an area by Gmsh's frontal Delaunay method. Quadrilaterals are made from triangles of twice the size, which a
-/// perfect matching joins in pairs where it can; then each quadrilateral is divided into four and each triangle that is
-/// left into three, so that no triangle remains. Gmsh runs in a program of its own: throws InputError if it fails,
-/// crashes, does not end within `most_seconds`, or leaves a mesh that does not keep the points. Same input, same mesh.
+/// perfect matching joins in pairs where it can, and a greedy one where lines leave it no way; then each quadrilateral
+/// is divided into four and each triangle that is left into three, so that no triangle remains. Gmsh runs in a program
+/// of its own: throws InputError if it fails, crashes, does not end within `most_seconds`, or leaves a mesh that does
+/// not keep the points. Same input, same mesh.
 FreeMesh mesh_freely(const FreeMeshInput& input, double most_seconds = 120.0);
 
 }  // namespace toile::mesh

@@ -1,0 +1,175 @@
+// Patterns that do not fit their body or cannot be sewn, in a scene and by `toile dress`: refused with what is wrong.
+#include <cmath>
+#include <sstream>
+
+#include "app/program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class BadPattern : public ProgramTest {
+ protected:
+  void SetUp() override { write("column.obj", column(60.0)); }
+
+  /// A closed cylinder about z as an OBJ file, 400 mm high.
+  static std::string column(double radius) {
+    constexpr int strips = 48, rings = 41;
+    std::ostringstream obj;
+    for (int r = 0; r < rings; ++r)
+      for (int s = 0; s < strips; ++s) {
+        const double angle = 2.0 * M_PI * s / strips;
+        obj << "v " << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << ' ' << 10.0 * r << '\n';
+      }
+    obj << "v 0 0 0\nv 0 0 400\n";
+    const auto at = [](int ring, int s) { return ring * strips + s % strips + 1; };
+    for (int s = 0; s < strips; ++s) {
+      for (int r = 0; r + 1 < rings; ++r)
+        obj << "f " << at(r, s) << ' ' << at(r, s + 1) << ' ' << at(r + 1, s + 1) << ' ' << at(r + 1, s) << '\n';
+      obj << "f " << strips * rings + 1 << ' ' << at(0, s + 1) << ' ' << at(0, s) << '\n';
+      obj << "f " << strips * rings + 2 << ' ' << at(rings - 1, s) << ' ' << at(rings - 1, s + 1) << '\n';
+    }
+    return obj.str();
+  }
+
+  /// A tube of two rectangles, each `width` mm wide and 120 mm high, in tube.json.
+  void write_tube(double width, const std::string& from = "", const std::string& to = "") {
+    std::ostringstream x;
+    x << width / 2.0;
+    const std::string edges = R"("edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, )";
+    const std::string l = "[-" + x.str(), r = "[" + x.str();
+    std::string text = R"({"pattern": {"panels": {
+      "front": {"vertices": [)" +
+                       l + ", 0], " + r + ", 0], " + r + ", 120], " + l +
+                       R"(, 120]], "translation": [0, 0, 100], "rotation": [0, 0, 0], )" + edges +
+                       R"({"endpoints": [3, 0]}]},
+      "back": {"vertices": [)" +
+                       l + ", 0], " + l + ", 120], " + r + ", 120], " + r +
+                       R"(, 0]], "translation": [0, 0, -100], "rotation": [0, 0, 0], )" + edges +
+                       R"({"endpoints": [3, 0]}]}},
+      "stitches": [[{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],
+                   [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}]]},
+      "properties": {"curvature_coords": "relative", "normalize_panel_translation": false, "units_in_meter": 1000}})";
+    const std::size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    write("tube.json", text.replace(place, from.size(), to));
+  }
+
+  /// The scene that drapes and settles tube.json on column.obj.
+  void write_tube_scene(const std::string& of_body = "") {
+    write("tube.xml", R"xml(<ParameterList name="scene">
+      <ParameterList name="Body"><Parameter name="type" type="string" value="file"/>
+        <Parameter name="file" type="string" value="column.obj"/>)xml" +
+                          of_body + R"xml(</ParameterList>
+      <ParameterList name="Materials"><ParameterList name="knit"><Parameter name="type" type="string" value="rebar"/>
+        <Parameter name="set" type="string" value="t-shirt"/>
+        <Parameter name="compression" type="string" value="tension field"/></ParameterList></ParameterList>
+      <ParameterList name="Pattern"><Parameter name="file" type="string" value="tube.json"/>
+        <Parameter name="material" type="string" value="knit"/>
+        <Parameter name="element size" type="double" value="12"/>
+        <ParameterList name="Placement"><Parameter name="origin" type="Array(double)" value="{0, 0, 140}"/>
+        </ParameterList></ParameterList>
+      <ParameterList name="Drape"/>
+      <ParameterList name="Supports"><ParameterList name="hem">
+        <Parameter name="on" type="Array(string)" value="{front.edge0, back.edge3}"/>
+        <Parameter name="hold" type="string" value="z"/></ParameterList></ParameterList>
+      <ParameterList name="Stages"><ParameterList name="settle"><Parameter name="type" type="string" value="settle"/>
+        <ParameterList name="Damping"/></ParameterList></ParameterList>
+    </ParameterList>)xml");
+  }
+
+  std::string scene_refusal() {
+    write_tube_scene();
+    const Outcome outcome = toile("run tube.xml --output out");
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    return outcome.err;
+  }
+  std::string dress_refusal(const std::string& options = "") {
+    const Outcome outcome = toile("dress tube.json column.obj --hem 140 --output worn " + options);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    return outcome.err;
+  }
+};
+
+// A panel that does not close is refused with the file, the panel and the two points.
+TEST_F(BadPattern, PanelThatDoesNotClose) {
+  write_tube(170.0, "[3, 0]}]},", "[3, 1]}]},");
+  for (const std::string& message : {scene_refusal(), dress_refusal()})
+    EXPECT_THAT(message,
+                HasSubstr("tube.json: panel \"front\": the outline is open: edge \"edge3\" ends at (85, 0) mm, "
+                          "and edge \"edge0\" starts at (-85, 0) mm; they must be the same point"));
+}
+
+// A stitch to an edge or a panel that is missing is refused with the stitch, its side and what there is.
+TEST_F(BadPattern, StitchToWhatIsMissing) {
+  write_tube(170.0, R"("panel": "back", "edge": 2)", R"("panel": "back", "edge": 7)");
+  for (const std::string& message : {scene_refusal(), dress_refusal()})
+    EXPECT_THAT(message,
+                HasSubstr("tube.json: stitch 0, second side, edge: expected a whole number from 0 to 3, found 7"));
+  write_tube(170.0, R"("panel": "back", "edge": 2)", R"("panel": "bakc", "edge": 2)");
+  for (const std::string& message : {scene_refusal(), dress_refusal()})
+    EXPECT_THAT(message, HasSubstr("tube.json: stitch 0, second side, panel: there is no panel \"bakc\"; did you mean "
+                                   "\"back\"?"));
+}
+
+// Sides of a seam whose lengths differ beyond its ease are refused with both lengths, the difference and the way out.
+TEST_F(BadPattern, SidesOfDifferentLengths) {
+  write_tube(170.0, ", 120], [-85, 120]]", ", 150], [-85, 150]]");
+  for (const std::string& message : {scene_refusal(), dress_refusal()})
+    EXPECT_THAT(message, AllOf(HasSubstr("Seams > stitch0: parameter \"second\" = \"back.edge2\""),
+                               HasSubstr("\"front.edge1\" ("), HasSubstr(", 150 mm) and \"back.edge2\" ("),
+                               HasSubstr(", 120 mm) differ by more than 5 % (parameter \"ease\"): by 20 %"),
+                               HasSubstr("give the seam a larger \"ease\"")));
+}
+
+// A pattern that is far too small stops before anything is solved, with the stretch that it would need: 377 mm of the
+// body, and the drape's distance, over 100 mm.
+TEST_F(BadPattern, FarTooSmall) {
+  write_tube(50.0);
+  const std::string message = scene_refusal();
+  EXPECT_THAT(message, AllOf(HasSubstr("tube.xml: scene > Drape: the pattern is too small for the body"),
+                             HasSubstr("times as wide would lie on it"), HasSubstr("knits stand 3")));
+  const std::string before = "would need a stretch of ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 2.0 * M_PI * 61.0 / 100.0, 0.2);
+  EXPECT_THAT(dress_refusal(), AllOf(HasSubstr("the pattern is too small: the garment measures 100 mm round the trunk"),
+                                     HasSubstr("stretched to 3.77 times its width")));
+}
+
+// A pattern that is too large to touch the body is refused instead of iterated on, with by how much it is too wide:
+// 800 mm round a body of 377 mm.
+TEST_F(BadPattern, FarTooLarge) {
+  write_tube(400.0);
+  const std::string message = scene_refusal();
+  EXPECT_THAT(message, HasSubstr("tube.xml: scene > Drape: the garment touches the body nowhere"));
+  const std::string before = "as if it were ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 800.0 - 2.0 * M_PI * 60.0, 60.0);
+  EXPECT_THAT(dress_refusal("--size 12"), HasSubstr("the garment touches the body nowhere"));
+  write_tube(600.0);
+  EXPECT_THAT(dress_refusal(), AllOf(HasSubstr("the pattern is too large: where it is tightest, the garment measures "
+                                               "1200 mm round the trunk"),
+                                     HasSubstr("with --scale 0.3")));
+}
+
+// A body that is smaller than any person is refused with what is allowed, and so is one that is smaller than the cells
+// of its smooth surface: with cells of its radius the pressure was 375 kPa instead of 0.4.
+TEST_F(BadPattern, BodySmallerThanTheTolerance) {
+  write_tube(170.0);
+  write_tube_scene(R"(<Parameter name="scale" type="double" value="0.001"/>)");
+  const Outcome tiny = toile("run tube.xml --output out");
+  EXPECT_EQ(tiny.status, 2);
+  EXPECT_THAT(tiny.err, HasSubstr("column.obj: the body is 0.4 mm high (z); allowed is 300 to 3000 mm"));
+  write_tube_scene(R"(<Parameter name="cell" type="double" value="60"/>)");
+  const Outcome coarse = toile("run tube.xml --output out");
+  EXPECT_EQ(coarse.status, 2);
+  EXPECT_THAT(coarse.err,
+              HasSubstr("tube.xml: scene > Body: parameter \"cell\" = 60: is too large for this body, which "
+                        "measures 120 mm across where it is thinnest; allowed is a third of that, 40 mm"));
+}
+
+}  // namespace
+}  // namespace toile::test
