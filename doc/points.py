@@ -2,6 +2,7 @@
 """Table in Markdown of the pressure at the points of some runs, side by side, from their pressure-points.csv.
 
 Usage: points.py results/one results/another ...
+       points.py --compare results/one results/another    two ways to one state: levels as well, with their difference
 """
 
 import csv
@@ -17,6 +18,27 @@ def pressures(folder):
                 for row in csv.DictReader(file)}
 
 
+def values(folder):
+    """{place: (kPa, error)} of the points and levels of a run."""
+    found = {}
+    for table, place, pressure, error in (("points", "point", "pressure [kPa]", "its error [kPa]"),
+                                          ("levels", "level", "mean pressure [kPa]", "error of the mean pressure [kPa]")):
+        with open(os.path.join(folder, f"pressure-{table}.csv"), newline="") as file:
+            found.update({row[place]: (float(row[pressure]), float(row[error])) for row in csv.DictReader(file)})
+    return found
+
+
+def compare(folders):
+    one, other = (values(folder) for folder in folders)
+    names = [os.path.basename(os.path.normpath(folder)) for folder in folders]
+    print(f"| place | `{names[0]}` kPa | `{names[1]}` kPa | difference kPa | error of the mesh kPa |\n|---|---|---|---|---|")
+    for place, (pressure, error) in one.items():
+        if place not in other:
+            sys.exit(f"{folders[1]}: there is no point or level {place!r}")
+        print(f"| {place} | {pressure:.4f} | {other[place][0]:.4f} | {abs(pressure - other[place][0]):.0e} "
+              f"| {max(error, other[place][1]):.2f} |")
+
+
 def main(folders):
     runs = {os.path.basename(os.path.normpath(folder)): pressures(folder) for folder in folders}
     print("| point | " + " | ".join(f"`{scene}`" for scene in runs) + " |\n|---|" + "---|" * len(runs))
@@ -27,4 +49,9 @@ def main(folders):
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(sys.argv[1:])
+    if sys.argv[1] != "--compare":
+        main(sys.argv[1:])
+    elif len(sys.argv) == 4:
+        compare(sys.argv[2:])
+    else:
+        sys.exit(__doc__)

@@ -105,7 +105,9 @@ TEST_F(Dress, TellsTheScaleThatFits) {
 TEST_F(Dress, RefusesWhatCannotBePlaced) {
   EXPECT_THAT(refusal("1000", "1000", ""), HasSubstr("no seam joins front and back on the shoulders"));
   EXPECT_THAT(refusal("1000", "1000", "--hem 140 --size 60"), HasSubstr("elements of 60 mm (--size) are too long"));
-  EXPECT_THAT(refusal("1000", "1000", "--hem 600"), HasSubstr("the body is not where the pattern is"));
+  EXPECT_THAT(refusal("1000", "1000", "--hem 600"),
+              AllOf(HasSubstr("the body is not where the pattern is"), HasSubstr("at heights of 602 to 718 mm"),
+                    HasSubstr("The garment measures 340 mm round at most"), HasSubstr("is --hem too high")));
   EXPECT_THAT(refusal("[0, 0, 0]", "[0, 90, 0]", "--hem 140"), HasSubstr("panel \"front\" lies across the front"));
   EXPECT_THAT(refusal("\"translation\": [0, 0, -100]", "\"translation\": [400, 0, -100]", "--hem 140"),
               HasSubstr("no panel lies behind the trunk"));

@@ -93,6 +93,16 @@ TEST(Include, Replaces) {
   EXPECT_EQ(panel.integer("elements"), 2);
 }
 
+// A list with "remove" takes the included one out, and is not one of the scene itself.
+TEST(Include, Removes) {
+  const Folder folder;
+  folder.write("leg.xml", list("Panels", list("front", disk) + list("back", disk)));
+  const std::string removed = list("Panels", list("front", parameter("remove", "bool", "true")));
+  const auto panels = read(folder.write("variant.xml", include("leg.xml") + removed)).list("Panels").entries();
+  ASSERT_EQ(panels.size(), 1u);
+  EXPECT_EQ(panels.at(0).name(), "back");
+}
+
 // Paths count from the folder of the file that names them, over several levels, and every value knows its file.
 TEST(Include, KnowsTheFileOfEveryValue) {
   const Folder folder;
@@ -174,6 +184,22 @@ TEST(Include, NothingToReplace) {
       folder.write("variant.xml", include("leg.xml") + list("Panel", parameter("replace", "bool", "true")));
   EXPECT_EQ(input_error([&] { read(variant); }),
             variant + ": scene > Panel: parameter \"replace\" is true, but no included file has this list");
+}
+
+// So is "remove"; and where the list goes on, somebody meant "replace".
+TEST(Include, NothingToRemove) {
+  const Folder folder;
+  folder.write("leg.xml", front(disk));
+  const std::string remove = parameter("remove", "bool", "true");
+  const std::string variant = folder.write("variant.xml", include("leg.xml") + list("Panel", remove));
+  EXPECT_EQ(input_error([&] { read(variant); }),
+            variant + ": scene > Panel: parameter \"remove\" is true, but no included file has this list");
+  const std::string more = folder.write(
+      "more.xml", include("leg.xml") + list("Panels", remove + list("front", parameter("width", "double", "9"))));
+  EXPECT_EQ(input_error([&] { read(more); }),
+            more +
+                ": scene > Panels: parameter \"remove\" is true, but the list has more in it: \"replace\" takes "
+                "the place of the included list");
 }
 
 // A description that does not declare "include" refuses it.

@@ -133,7 +133,7 @@ TEST_F(BadPattern, FarTooSmall) {
   const std::string before = "would need a stretch of ";
   const std::size_t at = message.find(before);
   ASSERT_NE(at, std::string::npos) << message;
-  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 2.0 * M_PI * 61.0 / 100.0, 0.2);
+  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 2.0 * M_PI * 61.0 / 100.0, 0.1);
   EXPECT_THAT(dress_refusal(), AllOf(HasSubstr("the pattern is too small: the garment measures 100 mm round the trunk"),
                                      HasSubstr("stretched to 3.77 times its width")));
 }
@@ -147,7 +147,7 @@ TEST_F(BadPattern, FarTooLarge) {
   const std::string before = "as if it were ";
   const std::size_t at = message.find(before);
   ASSERT_NE(at, std::string::npos) << message;
-  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 800.0 - 2.0 * M_PI * 60.0, 60.0);
+  EXPECT_NEAR(std::stod(message.substr(at + before.size())), 800.0 - 2.0 * M_PI * 60.0, 30.0);
   EXPECT_THAT(dress_refusal("--size 12"), HasSubstr("the garment touches the body nowhere"));
   write_tube(600.0);
   EXPECT_THAT(dress_refusal(), AllOf(HasSubstr("the pattern is too large: where it is tightest, the garment measures "

@@ -16,11 +16,16 @@ using Teuchos::ParameterList;
 
 const std::string include_key = "include";
 const std::string replace_key = "replace";
+const std::string remove_key = "remove";
 /// A file that includes the next one twice, and so on, would else be read millions of times.
 constexpr int most_files = 200;
 
 std::string below(const std::string& path, const std::string& name) {
   return path + " > " + name;
+}
+
+bool is_true(const ParameterList& list, const std::string& key) {
+  return list.isType<bool>(key) && list.get<bool>(key);
 }
 
 /// Files that are being read, outermost first: what includes itself would never end.
@@ -81,7 +86,7 @@ class Reader {
       const std::string& name = own.name(item);
       if (own.entry(item).isList()) {
         overlay_list(list, name, own.sublist(name), below(path, name), file);
-      } else if (name == replace_key && own.isType<bool>(name) && path != root_) {
+      } else if ((name == replace_key || name == remove_key) && own.isType<bool>(name) && path != root_) {
         continue;  // of the list itself, see overlay_list()
       } else {
         if (list.isSublist(name)) list.remove(name);
@@ -93,11 +98,19 @@ class Reader {
 
   void overlay_list(ParameterList& list, const std::string& name, const ParameterList& own, const std::string& path,
                     const std::string& file) {
-    const bool replaces = own.isType<bool>(replace_key) && own.get<bool>(replace_key);
-    if (replaces && !list.isSublist(name)) {
-      throw InputError(problem_line(file, path, "parameter \"replace\" is true, but no included file has this list"));
+    const bool replaces = is_true(own, replace_key), removes = is_true(own, remove_key);
+    if ((replaces || removes) && !list.isSublist(name)) {
+      throw InputError(problem_line(
+          file, path,
+          "parameter \"" + (removes ? remove_key : replace_key) + "\" is true, but no included file has this list"));
     }
-    if (replaces || (list.isParameter(name) && !list.isSublist(name))) list.remove(name);
+    if (removes && own.numParams() > 1) {
+      throw InputError(problem_line(file, path,
+                                    "parameter \"remove\" is true, but the list has more in it: \"replace\" takes the "
+                                    "place of the included list"));
+    }
+    if (replaces || removes || (list.isParameter(name) && !list.isSublist(name))) list.remove(name);
+    if (removes) return;
     overlay(list.sublist(name), own, path, file);
   }
 
@@ -114,7 +127,8 @@ Parameter include_parameter() {
       include_key, Type::texts, "",
       "Files (paths from the folder of this one) whose lists are read first, so that a variant of a scene holds only "
       "its difference. What this file says goes before what it includes, a later file before an earlier one. A list "
-      "with the parameter \"replace\" = true takes the place of the included list of its name.",
+      "with the parameter \"replace\" = true takes the place of the included list of its name; one with \"remove\" = "
+      "true takes that list out.",
       Texts{}};
 }
 

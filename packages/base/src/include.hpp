@@ -10,7 +10,7 @@ namespace toile::base {
 
 /// A file with everything that it includes, merged: what a file says goes before what it includes, a later included
 /// file before an earlier one. Lists are merged entry by entry; a list with the parameter "replace" = true takes the
-/// place of the included list of its name.
+/// place of the included list of its name, one with "remove" = true takes it out.
 struct Merged {
   Teuchos::ParameterList list;
   Origins origins;
