@@ -151,7 +151,7 @@ TEST_F(Dress, WholeSleevesStartRoundTheArms) {
 TEST_F(Dress, ALooseShirtComesToRest) {
   const Outcome outcome =
       toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
-            "/input/bodies/female_body.obj --output out --size 26");
+            "/input/bodies/female_body.obj --output out --size 20");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("loose everywhere"), HasSubstr("stable (no negative pivot)")));
 }
