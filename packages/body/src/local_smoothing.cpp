@@ -1,5 +1,6 @@
 #include "local_smoothing.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +17,27 @@ constexpr double least_smoothing = 1e-3;  ///< against the modes that no vertex 
 
 /// Sums over the samples near a cell.
 struct Sums {
-  Vec3 normals = Vec3::Zero();
+  Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  ///< of points and normals
   double edges = 0.0;
   double weight = 0.0;
+
+  void add(double share, const Sums& other) {
+    normals += share * other.normals;
+    points += share * other.points;
+    products += share * other.products;
+    edges += share * other.edges;
+    weight += share * other.weight;
+  }
+  /// In some direction normals turn towards each other: a fold or a saddle, not a ridge or a tip.
+  bool is_concave() const {
+    constexpr double clearly = 0.01;
+    const Eigen::Matrix3d turning = weight * products - points * normals.transpose();
+    const Eigen::Vector3d along =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(turning + turning.transpose(), Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    return along[0] < -clearly * along.cwiseAbs().maxCoeff();
+  }
 };
 
 /// Calls visit(unknown, value of its spline) at a place in a cell, t in [0, 1]^3.
@@ -38,9 +57,8 @@ std::vector<Sums> sums_at_nodes(const SheetGrid& grid, const SurfaceSamples& sam
     if (at < 0) continue;  // a vertex that no triangle uses
     const auto& cell = grid.cells()[at];
     for_splines(cell, local - Vec3(cell.at[0], cell.at[1], cell.at[2]), [&](int unknown, double weight) {
-      nodes[unknown].normals += weight * samples.normals[s];
-      nodes[unknown].edges += weight * samples.edge_lengths[s];
-      nodes[unknown].weight += weight;
+      nodes[unknown].add(
+          weight, {samples.normals[s], local, local * samples.normals[s].transpose(), samples.edge_lengths[s], 1.0});
     });
   }
   return nodes;
@@ -55,11 +73,11 @@ std::vector<double> local_smoothing(const SheetGrid& grid, const SurfaceSamples&
   result.reserve(grid.cells().size());
   for (const auto& cell : grid.cells()) {
     Sums sums;
-    for_splines(cell, Vec3::Constant(0.5), [&](int unknown, double weight) {
-      sums.normals += weight * nodes[unknown].normals;
-      sums.edges += weight * nodes[unknown].edges;
-      sums.weight += weight * nodes[unknown].weight;
-    });
+    for_splines(cell, Vec3::Constant(0.5), [&](int unknown, double weight) { sums.add(weight, nodes[unknown]); });
+    if (!sums.is_concave()) {
+      result.push_back(smoothing);
+      continue;
+    }
     // The mean of unit vectors that stray by small angles a from each other is shorter by a^2/2.
     const double bend = std::sqrt(2.0 * std::max(0.0, 1.0 - sums.normals.norm() / sums.weight));
     const double fineness = std::sqrt(sums.edges / sums.weight / mean_edge);
