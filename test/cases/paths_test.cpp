@@ -265,8 +265,8 @@ INSTANTIATE_TEST_SUITE_P(Starts, Airbag,
                          });
 
 // A flat membrane inflates for any first step, to the height of its mesh without any residual stiffness (214.5371 and
-// 216.1925 mm, with 1e-7 of it; 216.531 with 16 elements a side, so that the order of convergence is 2.3). It bulges out
-// of its plane, which is not told as passing through it.
+// 216.1925 mm, with 1e-7 of it; 216.531 with 16 elements a side, so that the order of convergence is 2.3). It bulges
+// out of its plane, which is not told as passing through it.
 TEST_P(Airbag, InflatesFromFlat) {
   write_case("airbag", first_step(GetParam().first, GetParam().second));
   const Outcome run = toile("run scene.xml --output out");
