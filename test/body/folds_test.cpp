@@ -46,7 +46,7 @@ TEST(Folds, RealBody) {
   EXPECT_LT(armpit, 2.0);
   EXPECT_LT(crotch, 2.0);
   EXPECT_LT(nipple, 6.0);
-  EXPECT_LT(rms, 1.0);
+  EXPECT_LT(rms, 0.8);
 }
 
 }  // namespace
