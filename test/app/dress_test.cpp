@@ -100,12 +100,22 @@ TEST_F(Dress, TellsTheScaleThatFits) {
                     HasSubstr("with --scale 0.28 its tightest")));
 }
 
+// A garment that is loose everywhere is told before it is run; one that is tight somewhere is not.
+TEST_F(Dress, TellsThatItIsLoose) {
+  write("tube.json", tube);
+  const std::string command = "dress tube.json column.obj --output out --hem 140 --only-scene";
+  EXPECT_THAT(toile(command + " --scale 1.3").out, HasSubstr("loose everywhere: little will press"));
+  EXPECT_THAT(toile(command).out, Not(HasSubstr("loose everywhere")));
+}
+
 // What cannot be dressed is refused by its reason: no height, elements too long, panels across or none behind, a
 // body of another unit.
 TEST_F(Dress, RefusesWhatCannotBePlaced) {
   EXPECT_THAT(refusal("1000", "1000", ""), HasSubstr("no seam joins front and back on the shoulders"));
   EXPECT_THAT(refusal("1000", "1000", "--hem 140 --size 60"), HasSubstr("elements of 60 mm (--size) are too long"));
-  EXPECT_THAT(refusal("1000", "1000", "--hem 600"), HasSubstr("the body is not where the pattern is"));
+  EXPECT_THAT(refusal("1000", "1000", "--hem 600"),
+              AllOf(HasSubstr("the body is not where the pattern is"), HasSubstr("at heights of 602 to 718 mm"),
+                    HasSubstr("The garment measures 340 mm round at most"), HasSubstr("is --hem too high")));
   EXPECT_THAT(refusal("[0, 0, 0]", "[0, 90, 0]", "--hem 140"), HasSubstr("panel \"front\" lies across the front"));
   EXPECT_THAT(refusal("\"translation\": [0, 0, -100]", "\"translation\": [400, 0, -100]", "--hem 140"),
               HasSubstr("no panel lies behind the trunk"));
@@ -122,6 +132,28 @@ TEST_F(Dress, RefusesWhatCannotBeSewn) {
   EXPECT_THAT(refusal("\"edge\": 2", "\"edge\": 7", "--hem 140"),
               HasSubstr("edge: expected a whole number from 0 to 3"));
   EXPECT_THAT(refusal("[85, 120], [-85, 120]", "[85, 150], [-85, 150]", "--hem 140"), HasSubstr("ease"));
+}
+
+// A T-shirt with sleeves of one panel is dressed by one command: they start round the arms, and the seams close.
+TEST_F(Dress, WholeSleevesStartRoundTheArms) {
+  const Outcome outcome = toile("dress " TOILE_SOURCE_DIR "/input/patterns/tshirt.json " TOILE_SOURCE_DIR
+                                "/input/bodies/female_body.obj --output out --only-scene --size 20");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("left sleeve: left_sleeve (whole)"), HasSubstr("right sleeve: right_sleeve (whole)")));
+  const Outcome start = toile("check out/scene.xml");
+  EXPECT_EQ(start.status, 0) << start.err;
+  EXPECT_THAT(start.out, HasSubstr("left_sleeve.underarm_back to left_sleeve.underarm_front, 0 mm apart"));
+}
+
+// A shirt that is a third wider than the woman who wears it comes to rest: it lies on the shoulders and presses nowhere
+// else.
+TEST_F(Dress, ALooseShirtComesToRest) {
+  const Outcome outcome =
+      toile("dress " TOILE_SOURCE_DIR "/test/data/patterns/garmentcode_shirt_mean_specification.json " TOILE_SOURCE_DIR
+            "/input/bodies/female_body.obj --output out --size 20");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("loose everywhere"), HasSubstr("stable (no negative pivot)")));
 }
 
 // The tee of a pattern generator on a woman's body: its panels are told apart, and their girths from hers.

@@ -138,8 +138,7 @@ TEST_F(RunScene, ReportsTorqueAndWrinkles) {
       << panel;
   EXPECT_GT(wrinkled, 1.0);
   EXPECT_NEAR(taut + wrinkled + slack, 100.0, 0.2);
-  EXPECT_THAT(summary_line(run.out, "smallest principal stress: "),
-              HasSubstr("(what the residual stiffness of wrinkled fabric leaves)"));
+  EXPECT_THAT(run.out, HasSubstr("smallest principal stress: 0 kPa\n"));
   const std::string clamp = summary_line(run.out, "support \"upper clamp\" ");
   ASSERT_EQ(std::sscanf(clamp.c_str(), "%*[^N]N, turned by 10 deg with a torque of %lf N mm about (0, 0, 1)", &torque),
             1)

@@ -104,6 +104,8 @@ TEST_F(LandmarkScene, Refusals) {
   expect_refused("parameter \"height\" = \"left thigh\": a landmark gives a height along a straight axis only");
   write_band(heights, axis_, word("height", "waist"), "", word("type", "cylinder") + number("radius", 60.0));
   expect_refused("scene > Body: parameter \"type\" = \"cylinder\": landmarks are found on bodies from files");
+  write_band(heights, axis_, number("height", 650.0), list("Body points", list("p", word("at", "underbust"))));
+  expect_refused("scene > Output > Body points > p: parameter \"at\"");
   write_band(word("from", "left thigh + x") + number("to", 700.0), axis_, number("height", 650.0));
   expect_refused("scene > Panels > band > Placement: parameter \"from\" = \"left thigh + x\"");
 }

@@ -141,7 +141,7 @@ TEST_F(Mannequin, OfAScene) {
   EXPECT_EQ(surface(own.out), surface(file.out));
   const Outcome wide = checked(R"(<Parameter name="type" type="string" value="mannequin"/>)" + waist + R"(950"/>)");
   EXPECT_EQ(wide.status, 2);
-  EXPECT_THAT(wide.err, AllOf(HasSubstr("scene.xml: scene > Body: parameter \"type\" = \"mannequin\": "),
+  EXPECT_THAT(wide.err, AllOf(HasSubstr("scene.xml: scene > Body: parameter \"waist\" = 950: "),
                               HasSubstr("waist 95 cm and hip 90 cm contradict each other")));
 }
 

@@ -73,5 +73,29 @@ TEST_F(Pantyhose, LevelsAreLaplaces) {
   EXPECT_NEAR(levels["T"]["girth [mm]"], 642.0, 6.0);  // the waist of the body
 }
 
+// On a mannequin, too, they come to rest, with Laplace's pressure at the thigh, and its waist and hip have the girths
+// that were asked for, at the levels that landmarks name.
+TEST_F(Pantyhose, OnAMannequin) {
+  const auto coarse = [](const std::string& panel) {
+    return "<ParameterList name=\"" + panel + "\"><Parameter name=\"element size\" type=\"double\" value=\"16\"/>" +
+           "</ParameterList>";
+  };
+  write("scene.xml", R"xml(<ParameterList name="scene">
+      <Parameter name="include" type="Array(string)" value="{)xml" TOILE_SOURCE_DIR
+                     R"xml(/input/pantyhose-mannequin.xml}"/>
+      <ParameterList name="Body"><Parameter name="edge" type="double" value="22"/></ParameterList>
+      <ParameterList name="Panels">)xml" +
+                         coarse("left leg") + coarse("right leg") + coarse("band") +
+                         "</ParameterList></ParameterList>");
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  auto levels = table(read("out/pressure-levels.csv"));
+  const std::string pressure = "mean pressure [kPa]", laplace = "Laplace T/r [kPa]";
+  for (const char* leg : {"F (1)", "F (2)"})
+    EXPECT_NEAR(levels[leg][pressure] / levels[leg][laplace], 1.0, 0.04) << leg;
+  EXPECT_NEAR(levels["T"]["girth [mm]"], 642.0, 6.0);
+  EXPECT_NEAR(levels["H"]["girth [mm]"], 903.0, 9.0);
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -61,6 +61,10 @@ std::string tube() {
     <ParameterList name="below"><Parameter name="on" type="string" value="tube@(100 20)"/></ParameterList>
     <ParameterList name="band"><Parameter name="on" type="string" value="tube@(100 60)"/></ParameterList>
     <ParameterList name="above"><Parameter name="on" type="string" value="tube@(100 100)"/></ParameterList>
+  </ParameterList><ParameterList name="Body points">
+    <ParameterList name="under the band"><Parameter name="at" type="Array(double)" value="{0, -51, 48}"/></ParameterList>
+    <ParameterList name="under the hem"><Parameter name="at" type="Array(double)" value="{0, -49, 16}"/></ParameterList>
+    <ParameterList name="above all"><Parameter name="at" type="Array(double)" value="{0, -50, 300}"/></ParameterList>
   </ParameterList></ParameterList>
 </ParameterList>)xml";
 }
@@ -75,8 +79,8 @@ double laplace(double thickness) {
 
 class Zones : public ProgramTest {};
 
-// Under a firm band the pressure is that of the firm fabric, beside it that of the soft one. Both shrink alike along
-// the tube, so nothing bends between them.
+// Under a firm band the pressure is that of the firm fabric, beside it that of the soft one; so do points of the fabric
+// and of the body tell. Both shrink alike along the tube, so nothing bends between them.
 TEST_F(Zones, PressureIsThatOfTheFabricOfTheZone) {
   write("scene.xml", tube());
   const Outcome run = toile("run scene.xml --output out");
@@ -95,6 +99,10 @@ TEST_F(Zones, PressureIsThatOfTheFabricOfTheZone) {
   const double tolerance = 0.01;  // of the pressure; chords of 11 mm shorten the girth by 0.2 %, and take 0.5 % of it
   EXPECT_NEAR(pressure["band"], laplace(firm), tolerance * laplace(firm));
   EXPECT_NEAR(pressure["below"], laplace(soft), tolerance * laplace(soft));
+  EXPECT_NEAR(pressure["under the band"], laplace(firm), tolerance * laplace(firm));
+  EXPECT_NEAR(pressure["under the hem"], laplace(soft), tolerance * laplace(soft));
+  EXPECT_EQ(pressure["above all"], 0.0);
+  EXPECT_THAT(run.out, ::testing::HasSubstr("no fabric"));
   EXPECT_NEAR(pressure["above"], laplace(soft), tolerance * laplace(soft));
 }
 

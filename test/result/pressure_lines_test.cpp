@@ -245,6 +245,34 @@ TEST(PressureLines, OpenSectionIsMarked) {
               ::testing::ElementsAre(::testing::HasSubstr("does not close")));
 }
 
+// Half a cone that is held in its plane of symmetry has the values of the whole one, girth and radius included; held in
+// two planes, it is open.
+TEST(PressureLines, HalfClosesWithItsMirrorImage) {
+  Cone cone;
+  std::vector<int>& nodes = cone.mesh.blocks[0].connectivity;
+  std::vector<int> half;
+  decltype(cone.fields.tension) tension;
+  for (std::size_t e = 0; 4 * e < nodes.size(); ++e) {
+    double y = 0.0;
+    for (std::size_t k = 4 * e; k < 4 * e + 4; ++k) y += cone.mesh.placed[static_cast<std::size_t>(nodes[k])].y();
+    if (y < 0.0) continue;
+    half.insert(half.end(), &nodes[4 * e], &nodes[4 * e] + 4);
+    tension.push_back(cone.fields.tension[e]);
+  }
+  nodes = half;
+  cone.fields.tension = tension;
+  cone.fields.smallest_stress.resize(tension.size());
+  cone.fields.tied.clear();
+  for (const mesh::Vec3& node : cone.mesh.placed) cone.fields.mirror.push_back(std::abs(node.y()) < 1e-9 ? 0 : -1);
+  const std::vector<LevelRow> rows = levels(cone.fields, Axis(), {{"C", 250.0}});
+  ASSERT_EQ(rows.size(), 1U);
+  expect_exact(rows[0], 250.0);
+  EXPECT_TRUE(rows[0].mirrored);
+  for (std::size_t n = 0; n < cone.mesh.placed.size(); ++n)
+    if (cone.fields.mirror[n] == 0 && cone.mesh.placed[n].x() > 0.0) cone.fields.mirror[n] = 1;
+  EXPECT_FALSE(levels(cone.fields, Axis(), {{"C", 250.0}})[0].closed);
+}
+
 // Along the axis of a bent limb, three quarters of a ring here, heights are arc lengths and sections lie across it; the
 // other arm of the limb, which the plane cuts as well, is left out.
 TEST(PressureLines, AxisMayBeBent) {

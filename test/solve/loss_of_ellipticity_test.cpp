@@ -142,7 +142,7 @@ TEST(LossOfEllipticity, IsPartOfTheMessageOfAStageThatFails) {
                     HasSubstr("of panel \"panel0\"")));
 }
 
-// A tension field keeps a wrinkled, compressed fabric elliptic up to its residual stiffness; slack fibres do not: they
+// A tension field keeps a wrinkled, compressed fabric elliptic; slack fibres do not: they
 // still carry shear where they carry no tension.
 TEST(LossOfEllipticity, TensionFieldKeepsIt) {
   for (const auto& [u, v] : {std::pair<solve::Vec3, solve::Vec3>(sheared_u, sheared_v),

@@ -41,8 +41,9 @@ struct Torsion {
   PlaneRun run;
   double angle;  ///< at load 1, rad
 
+  /// The last one there: of a stage's end its final state.
   size_t step_at(double wanted) const {
-    for (size_t k = 0; k < run.reports.size(); ++k)
+    for (size_t k = run.reports.size(); k-- > 0;)
       if (std::abs(run.reports[k].load * angle - wanted) < 1e-9) return k;
     throw std::runtime_error("no step at angle " + std::to_string(wanted));
   }

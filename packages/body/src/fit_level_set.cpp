@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "local_smoothing.hpp"
 #include "mesh_geometry.hpp"
 #include "normal_equations.hpp"
 #include "surface_samples.hpp"
@@ -89,9 +90,10 @@ SplineField fit_level_set(const TriangleMesh& mesh, const SurfaceSamples& sample
               &equations);
   }
   const double layers = static_cast<double>(grid.cells().size()) / area;
-  const Matrix64 third_derivatives = smoothing * thickness / layers * smoothing_matrix();
+  const Matrix64 third_derivatives = thickness / layers * smoothing_matrix();
+  const auto weights = local_smoothing(grid, samples, mean_edge_length(mesh), smoothing);
   for (std::size_t c = 0; c < grid.cells().size(); ++c) {
-    equations.add(static_cast<int>(c), third_derivatives);
+    equations.add(static_cast<int>(c), Matrix64(weights[c] * third_derivatives));
   }
   const std::vector<double> coefficients = equations.solve(ridge);
   return {std::move(grid), coefficients};

@@ -35,6 +35,20 @@ std::string source_of(const List& list) {
   return (fs::path(list.file("from")).parent_path() / list.word("from")).lexically_normal().string();
 }
 
+/// The given measurement that a message names first; "type" if it names none.
+std::string named_in(const List& list, const std::string& message) {
+  std::string named = "type";
+  std::size_t first = std::string::npos;
+  for (const auto& entry : given_in(list)) {
+    const std::size_t at = message.find(entry.first + " ");
+    if (at < first) {
+      first = at;
+      named = entry.first;
+    }
+  }
+  return named;
+}
+
 Mannequin made(const List& list) {
   MannequinOptions options;
   options.edge = list.real("edge");
@@ -45,7 +59,7 @@ Mannequin made(const List& list) {
     const auto measurements = complete_measurements(given_in(list));
     return make_mannequin(import_body(source_of(list), ImportOptions()).mesh, measurements, options);
   } catch (const base::InputError& error) {
-    list.fail("type", error.what());
+    list.fail(named_in(list, error.what()), error.what());
   }
 }
 

@@ -3,6 +3,17 @@
 #include <Eigen/Geometry>
 
 namespace toile::body {
+namespace {
+
+double mean_side(const TriangleMesh& mesh, const std::array<int, 3>& corners) {
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    sum += (mesh.vertices[corners[i]] - mesh.vertices[corners[(i + 1) % 3]]).norm();
+  }
+  return sum / 3.0;
+}
+
+}  // namespace
 
 std::vector<Vec3> area_vectors(const TriangleMesh& mesh) {
   std::vector<Vec3> vectors;
@@ -43,6 +54,21 @@ std::vector<double> vertex_areas(const TriangleMesh& mesh) {
   return areas;
 }
 
+std::vector<double> vertex_edge_lengths(const TriangleMesh& mesh) {
+  std::vector<double> sums(mesh.vertices.size(), 0.0), areas(mesh.vertices.size(), 0.0);
+  const auto vectors = area_vectors(mesh);
+  for (std::size_t t = 0; t < vectors.size(); ++t) {
+    for (const int vertex : mesh.triangles[t]) {
+      sums[vertex] += vectors[t].norm() * mean_side(mesh, mesh.triangles[t]);
+      areas[vertex] += vectors[t].norm();
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (areas[i] > 0.0) sums[i] /= areas[i];
+  }
+  return sums;
+}
+
 std::vector<char> border_vertices(const TriangleMesh& mesh) {
   std::vector<char> border(mesh.vertices.size(), 0);
   for (const MeshEdge& edge : mesh_edges(mesh.triangles)) {
@@ -57,10 +83,7 @@ double mean_edge_length(const TriangleMesh& mesh) {
   double sum = 0.0, area = 0.0;
   const auto vectors = area_vectors(mesh);
   for (std::size_t t = 0; t < vectors.size(); ++t) {
-    const auto& corners = mesh.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      sum += vectors[t].norm() * (mesh.vertices[corners[i]] - mesh.vertices[corners[(i + 1) % 3]]).norm() / 3.0;
-    }
+    sum += vectors[t].norm() * mean_side(mesh, mesh.triangles[t]);
     area += vectors[t].norm();
   }
   return sum / area;

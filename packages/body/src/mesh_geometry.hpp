@@ -52,6 +52,9 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh);
 /// A third of the area of the adjacent facets, mm^2.
 std::vector<double> vertex_areas(const TriangleMesh& mesh);
 
+/// Mean length of the edges of the adjacent facets, weighted by their area, mm. Zero for unused vertices.
+std::vector<double> vertex_edge_lengths(const TriangleMesh& mesh);
+
 /// Marks the vertices on a border.
 std::vector<char> border_vertices(const TriangleMesh& mesh);
 

@@ -36,15 +36,19 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
 }  // namespace
 
 SurfaceSamples::SurfaceSamples(const TriangleMesh& mesh, double spacing)
-    : points(mesh.vertices), normals(vertex_normals(mesh)), lattices_(mesh.triangles.size()) {
+    : points(mesh.vertices),
+      normals(vertex_normals(mesh)),
+      edge_lengths(vertex_edge_lengths(mesh)),
+      lattices_(mesh.triangles.size()) {
   place_on_edges(mesh, spacing);
   place_inside(mesh);
   link_lattices();
 }
 
-void SurfaceSamples::add(const Vec3& point, const Vec3& normal) {
+void SurfaceSamples::add(const Vec3& point, const Vec3& normal, double edge) {
   points.push_back(point);
   normals.push_back(normal.normalized());
+  edge_lengths.push_back(edge);
 }
 
 void SurfaceSamples::place_on_edges(const TriangleMesh& mesh, double spacing) {
@@ -55,7 +59,8 @@ void SurfaceSamples::place_on_edges(const TriangleMesh& mesh, double spacing) {
       edges_.push_back(edge);
       for (int i = 1; i < edge.parts; ++i) {
         const double share = static_cast<double>(i) / edge.parts;
-        add(a + share * (b - a), normal_a + share * (normal_b - normal_a));
+        add(a + share * (b - a), normal_a + share * (normal_b - normal_a),
+            edge_lengths[side.a] + share * (edge_lengths[side.b] - edge_lengths[side.a]));
       }
     }
     Lattice& lattice = lattices_[side.triangle];
@@ -74,7 +79,8 @@ void SurfaceSamples::place_inside(const TriangleMesh& mesh) {
       for (int j = 1; i + j < lattice.parts; ++j) {
         const Vec3 share = Vec3(i, j, lattice.parts - i - j) / lattice.parts;
         add(share[0] * mesh.vertices[c[0]] + share[1] * mesh.vertices[c[1]] + share[2] * mesh.vertices[c[2]],
-            share[0] * normals[c[0]] + share[1] * normals[c[1]] + share[2] * normals[c[2]]);
+            share[0] * normals[c[0]] + share[1] * normals[c[1]] + share[2] * normals[c[2]],
+            share.dot(Vec3(edge_lengths[c[0]], edge_lengths[c[1]], edge_lengths[c[2]])));
       }
     }
   }

@@ -19,6 +19,7 @@ class SurfaceSamples {
 
   std::vector<Vec3> points;               ///< mm
   std::vector<Vec3> normals;              ///< unit, interpolated from the vertex normals; zero for unused vertices
+  std::vector<double> edge_lengths;       ///< mean length of the edges of the facets there, interpolated alike, mm
   std::vector<std::array<int, 2>> links;  ///< pairs of neighbours, smaller index first; each once
 
  private:
@@ -37,7 +38,7 @@ class SurfaceSamples {
 
   void place_on_edges(const TriangleMesh& mesh, double spacing);
   void place_inside(const TriangleMesh& mesh);
-  void add(const Vec3& point, const Vec3& normal);
+  void add(const Vec3& point, const Vec3& normal, double edge);
   void link_lattices();
   int on_edge(const Lattice& lattice, int opposite, int step) const;
   /// Sample at i parts from corner 1 and 2 towards corner 0 and j towards corner 1.

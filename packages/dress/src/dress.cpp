@@ -46,6 +46,7 @@ class Dressing {
     const Placed placed = at_scale(options_.scale);
     Dressed dressed;
     dressed.pattern = placed.pattern;
+    dressed.wraps = placed.wraps;
     dressed.hems = placed.hems;
     dressed.girths = girths_of(placed, wearer_);
     dressed.tightest = tightest_of(dressed.girths);
@@ -111,7 +112,9 @@ class Dressing {
       for (const Part& part : placed.parts)
         if (part.side == side)
           text += (text.empty() ? "" : ", ") + placed.pattern.panels[part.panel].name +
-                  (part.front ? " (front)" : " (back)");
+                  (part.whole   ? " (whole)"
+                   : part.front ? " (front)"
+                                : " (back)");
       if (!text.empty()) lines.push_back(name_of_side(side) + ": " + text);
     }
     lines.push_back("from height " + mm(dressed.lowest) + " (hem, held there) to " + mm(dressed.highest));
@@ -122,6 +125,11 @@ class Dressing {
     }
     lines.push_back("tightest: " + place_of(dressed.tightest) + ", " + ease_of(dressed.tightest) + "; " +
                     scale_text(dressed));
+    constexpr double loose = 1.1;  // width of a garment, over the body's, that nothing holds in shape
+    if (dressed.tightest.stretch() * loose < 1.0)
+      lines.push_back(
+          "loose everywhere: little will press, and what is loose stays about where it is draped (nothing rubs, and "
+          "nothing hangs)");
     return lines;
   }
 

@@ -1,7 +1,9 @@
 #include "girths.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "text.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::dress {
@@ -76,6 +78,23 @@ void add_sleeve(const Placed& placed, const Wearer& wearer, int side, std::vecto
   }
 }
 
+/// The body has nothing at the heights of the garment.
+[[noreturn]] void fail_beside(const std::vector<Girth>& girths) {
+  std::string text = "the body is not where the pattern is: nothing of it is between the hem and the armholes";
+  double lowest = std::numeric_limits<double>::max(), highest = -lowest, widest = 0.0;
+  for (const Girth& girth : girths) {
+    if (girth.of != name_of_side(0)) continue;
+    lowest = std::min(lowest, girth.at);
+    highest = std::max(highest, girth.at);
+    widest = std::max(widest, girth.garment);
+  }
+  if (highest > lowest)
+    text += ", at heights of " + decimals(lowest, 0) + " to " + decimals(highest, 0) +
+            " mm: a body's trunk counts up to its armpits. The garment measures " + decimals(widest, 0) +
+            " mm round at most: is it too small or too short (its unit, --scale), or is --hem too high or too low?";
+  throw base::InputError(text);
+}
+
 }  // namespace
 
 std::vector<Girth> girths_of(const Placed& placed, const Wearer& wearer) {
@@ -92,8 +111,7 @@ Girth tightest_of(const std::vector<Girth>& girths) {
   for (const Girth& girth : girths)
     if (girth.body > 0.0 && girth.garment > 0.0 && (tightest == nullptr || girth.stretch() > tightest->stretch()))
       tightest = &girth;
-  if (tightest == nullptr)
-    throw base::InputError("the body is not where the pattern is: nothing of it is between the hem and the armholes");
+  if (tightest == nullptr) fail_beside(girths);
   return *tightest;
 }
 

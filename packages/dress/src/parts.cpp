@@ -14,21 +14,6 @@ using pattern::Panel;
 /// Parts of sleeves are further than this from the middle of the wearer, mm.
 constexpr double middle = 100.0;
 
-void check_placed(const Panel& panel) {
-  const std::string name = "panel \"" + panel.name + "\"";
-  if (!panel.placement)
-    throw base::InputError(name +
-                           " is not placed in space, so that front and back cannot be told from each other; files of "
-                           "Garment-Pattern-Generator and GarmentCode (JSON) place their panels (\"translation\", "
-                           "\"rotation\": y up, z to the front)");
-  if (std::abs(panel.placement->rotation(2, 2)) > 0.9) return;
-  throw base::InputError(
-      name +
-      " lies across the front of the wearer (its \"rotation\" turns it out of the x-y plane), as whole sleeves do; "
-      "panels in front of the wearer and behind are dressed, sleeves in two halves. Cut the sleeve along the top "
-      "of the arm, or write a scene in which it starts round the arm (placement \"free wrap\")");
-}
-
 Eigen::AlignedBox3d box_of(const Panel& panel) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : outline_of(panel)) box.extend(point);
@@ -43,6 +28,24 @@ double depth_of(const Panel& panel) {
 int side_of(const Panel& panel) {
   const Eigen::AlignedBox3d box = box_of(panel);
   return box.min().x() > middle ? 1 : box.max().x() < -middle ? -1 : 0;
+}
+
+/// In front of the wearer, or behind.
+bool is_flat(const Panel& panel) {
+  return std::abs(panel.placement->rotation(2, 2)) > 0.9;
+}
+
+void check_placed(const Panel& panel) {
+  const std::string name = "panel \"" + panel.name + "\"";
+  if (!panel.placement)
+    throw base::InputError(name +
+                           " is not placed in space, so that front and back cannot be told from each other; files of "
+                           "Garment-Pattern-Generator and GarmentCode (JSON) place their panels (\"translation\", "
+                           "\"rotation\": y up, z to the front)");
+  if (is_flat(panel) || side_of(panel) != 0) return;
+  throw base::InputError(name +
+                         " lies across the front of the wearer (its \"rotation\" turns it out of the x-y plane); of "
+                         "the trunk, panels in front of the wearer and behind are dressed");
 }
 
 }  // namespace
@@ -77,6 +80,16 @@ std::set<std::string> Sewing::partners(const Panel& panel, const pattern::Edge& 
   return known == partners_.end() ? std::set<std::string>() : known->second;
 }
 
+namespace {
+
+/// A sleeve of one panel is closed under the arm.
+bool is_sewn_to_itself(const Sewing& sewing, const Panel& panel) {
+  return std::any_of(panel.outline.begin(), panel.outline.end(),
+                     [&](const pattern::Edge& edge) { return sewing.partners(panel, edge).count(panel.name) > 0; });
+}
+
+}  // namespace
+
 std::vector<Part> parts_of(const pattern::Pattern& pattern) {
   double lower = infinite, upper = -infinite;
   for (const Panel& panel : pattern.panels) {
@@ -85,9 +98,12 @@ std::vector<Part> parts_of(const pattern::Pattern& pattern) {
     upper = std::max(upper, depth_of(panel));
   }
   std::vector<Part> parts;
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    parts.push_back(
-        {static_cast<int>(p), 2.0 * depth_of(pattern.panels[p]) > lower + upper, side_of(pattern.panels[p])});
+  const Sewing sewing(pattern);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const Panel& panel = pattern.panels[p];
+    parts.push_back({static_cast<int>(p), 2.0 * depth_of(panel) > lower + upper, side_of(panel)});
+    parts.back().whole = parts.back().side != 0 && is_sewn_to_itself(sewing, panel);
+  }
   for (const bool front : {true, false})
     if (std::none_of(parts.begin(), parts.end(),
                      [&](const Part& part) { return part.side == 0 && part.front == front; }))

@@ -18,9 +18,10 @@ constexpr double infinite = std::numeric_limits<double>::max();
 
 /// A panel in space: x to the wearer's left, y up, z to the front; mm.
 struct Part {
-  int panel = 0;      ///< index into the pattern
-  bool front = true;  ///< in front of the wearer, or behind
-  int side = 0;       ///< 0: of the trunk; 1, -1: half of the left or of the right sleeve
+  int panel = 0;       ///< index into the pattern
+  bool front = true;   ///< in front of the wearer, or behind
+  int side = 0;        ///< 0: of the trunk; 1, -1: of the left or of the right sleeve
+  bool whole = false;  ///< a sleeve of one panel, which goes round the arm
 };
 
 /// Points of an edge in space, its ends included.
@@ -39,7 +40,7 @@ class Sewing {
   std::map<std::string, std::set<std::string>> partners_;
 };
 
-/// Throws InputError for panels that lie neither in front of the wearer nor behind, or nowhere.
+/// Throws InputError for panels of the trunk that lie neither in front of the wearer nor behind, or nowhere.
 std::vector<Part> parts_of(const pattern::Pattern& pattern);
 
 /// Name of the part of the garment: "trunk", "left sleeve", "right sleeve".

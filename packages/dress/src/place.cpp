@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scaled.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::dress {
@@ -22,9 +23,13 @@ class Placing {
     find_extents();
     move({wearer_.middle() - 0.5 * (least_x_ + most_x_), height(options) - placed_.lowest, 0.0});
     find_extents();
+    for (const Part& part : placed_.parts)
+      if (part.whole) lay_flat(part);
     for (const int side : {1, -1})
       if (has(side)) turn_sleeve(side);
     move_clear_of_body();
+    for (const Part& part : placed_.parts)
+      if (part.whole) wrap(part);
     return placed_;
   }
 
@@ -164,6 +169,37 @@ class Placing {
       placement.translation = moved + turn * (placement.translation - pivot);
       placement.rotation = turn * placement.rotation;
     }
+  }
+
+  /// Cap upwards in the pattern, and in front of the wearer along the arm, so that it compares with the arm as a half
+  /// does.
+  void lay_flat(const Part& part) {
+    Panel& sleeve = panel(part);
+    sleeve.placement->rotation.setIdentity();
+    const Vec3 down = shape_of_sleeve(placed_, part.side).direction;
+    turn(sleeve, std::atan2(-down.x(), -down.y()));
+    const Vec3 arm = wearer_.arm(part.side).direction;
+    sleeve.placement->rotation = Eigen::AngleAxisd(std::atan2(arm.x(), -arm.y()), Vec3::UnitZ()).toRotationMatrix();
+  }
+
+  /// Round the arm, with room for it.
+  void wrap(const Part& part) {
+    constexpr double below = 300.0, beyond = 20.0, room = 10.0, open = 1.15;  // mm; of the width
+    Eigen::AlignedBox2d box;
+    for (const pattern::Edge& edge : panel(part).outline)
+      for (const pattern::Vec2& at : edge.curve.points(0.5)) box.extend(at);
+    const Arm arm = wearer_.arm(part.side);
+    const Vec3 up = Vec3::UnitY() - Vec3::UnitY().dot(arm.direction) * arm.direction;
+    Wrap wrap;
+    wrap.panel = panel(part).name;
+    wrap.top = Wearer::in_space(arm.shoulder);
+    wrap.bottom = Wearer::in_space(arm.shoulder + below * arm.direction);
+    wrap.zero = Wearer::in_space(up.normalized());
+    wrap.to = below + beyond;
+    wrap.from = wrap.to - box.sizes().y();
+    const double girth = std::max(wearer_.girth(arm, 0.5 * box.sizes().y()), wearer_.girth(arm, box.sizes().y()));
+    wrap.radius = std::max(girth / (2.0 * M_PI) + room, open * box.sizes().x() / (2.0 * M_PI));
+    placed_.wraps.push_back(wrap);
   }
 
   /// All of the trunk's front in one plane, and so on.

@@ -13,6 +13,7 @@ namespace toile::dress {
 struct Placed {
   pattern::Pattern pattern;
   std::vector<Part> parts;
+  std::vector<Wrap> wraps;
   std::vector<std::string> hems;                       ///< "panel.edge"
   double lowest = 0.0, highest = 0.0, underarm = 0.0;  ///< of the trunk: heights of hem, top and armholes, mm
 };

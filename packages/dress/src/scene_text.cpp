@@ -46,14 +46,32 @@ void add_garment(Node scene, const SceneFiles& files) {
   set(fabric, "type", "string", "rebar");
   set(fabric, "set", "string", files.fabric);
   set(fabric, "compression", "string", "tension field");
-  note(fabric, "Wrinkled fabric keeps this much of its stiffness: what is loose comes to rest sooner.");
-  set(fabric, "residual stiffness", "double", "0.01");
   Node pattern = list(scene, "Pattern");
   note(pattern, "Scaled, and placed beside the body.");
   set(pattern, "file", "string", files.pattern);
   set(pattern, "material", "string", "fabric");
   set(pattern, "element size", "double", exact(files.element_size));
   list(pattern, "Placement");
+}
+
+std::string vector(const body::Vec3& at) {
+  return "{" + decimals(at.x(), 3) + ", " + decimals(at.y(), 3) + ", " + decimals(at.z(), 3) + "}";
+}
+
+void add_wraps(Node scene, const Dressed& dressed) {
+  if (dressed.wraps.empty()) return;
+  Node panels = list(scene, "Panels");
+  note(panels, "These start round the arms, the others where the pattern places them.");
+  for (const Wrap& wrap : dressed.wraps) {
+    Node placement = list(list(panels, wrap.panel), "Placement");
+    set(placement, "type", "string", "free wrap");
+    set(placement, "axis bottom", "Array(double)", vector(wrap.bottom));
+    set(placement, "axis top", "Array(double)", vector(wrap.top));
+    set(placement, "zero direction", "Array(double)", vector(wrap.zero));
+    set(placement, "from", "double", exact(wrap.from));
+    set(placement, "to", "double", exact(wrap.to));
+    set(placement, "around", "Array(double)", "{" + decimals(wrap.radius, 3) + ", " + decimals(wrap.radius, 3) + "}");
+  }
 }
 
 void add_supports(Node scene, const Dressed& dressed) {
@@ -90,6 +108,7 @@ std::string scene_text(const Dressed& dressed, const SceneFiles& files) {
   set(scene, "title", "string", files.title);
   add_body(scene, files);
   add_garment(scene, files);
+  add_wraps(scene, dressed);
   note(scene, "Lays the panels round the body and closes the seams, before anything is solved.");
   list(scene, "Drape");
   add_supports(scene, dressed);

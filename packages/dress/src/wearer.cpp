@@ -14,9 +14,6 @@ using body::SectionPiece;
 Vec3 turned(const Vec3& at) {
   return {at.x(), at.z(), -at.y()};
 }
-Vec3 back(const Vec3& at) {
-  return {at.x(), -at.z(), at.y()};
-}
 
 /// Length of the taut line over points (y, z) from the highest of them down to the lowest, on the side of larger z.
 double taut_length(std::vector<Vec3> points) {
@@ -58,7 +55,7 @@ Wearer::Wearer(const body::TriangleMesh& mesh) : triangles_(mesh.triangles), sec
 }
 
 std::vector<SectionPiece> Wearer::cut(const Vec3& point, const Vec3& normal) const {
-  std::vector<SectionPiece> pieces = sections_.cut(back(point), back(normal));
+  std::vector<SectionPiece> pieces = sections_.cut(in_space(point), in_space(normal));
   for (SectionPiece& piece : pieces) {
     for (Vec3& at : piece.points) at = turned(at);
     piece.centre = turned(piece.centre);

@@ -21,6 +21,9 @@ class Wearer {
  public:
   explicit Wearer(const body::TriangleMesh& mesh);
 
+  /// From the axes of patterns to those of the body's file: z up, the front towards -y.
+  static Vec3 in_space(const Vec3& at) { return {at.x(), -at.z(), at.y()}; }
+
   double middle() const { return middle_; }  ///< x of its plane of symmetry
   double lower() const { return lower_; }    ///< of y
   double upper() const { return upper_; }

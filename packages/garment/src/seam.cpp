@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 #include "toile/mesh/find_nodes.hpp"
@@ -54,11 +55,10 @@ void check_match(const base::List& entry, const Edge& first, const Edge& second)
   }
   const double ease = entry.real("ease");
   std::ostringstream allowed;
-  allowed.precision(4);
   const double difference = std::abs(first.length() - second.length()) / std::max(first.length(), second.length());
   if (difference > ease) {
     allowed << "a seam whose edges cannot match: the lengths of " << both << " differ by more than " << 100.0 * ease
-            << " % (parameter \"ease\"): by " << 100.0 * difference
+            << " % (parameter \"ease\"): by " << std::setprecision(3) << 100.0 * difference
             << " %. Is it the other edge that is sewn here, or are edges of a stitch missing in the pattern? If the "
                "longer one is to be gathered, give the seam a larger \"ease\"";
     entry.fail("second", allowed.str());

@@ -52,9 +52,8 @@ struct Loose {
 /// A batch in which some points are to be relaxed; one at a time in a thread.
 class Batch {
  public:
-  Batch(const PlainResponse& law, Relaxation relaxation, double residual, int n, const double* C, const double* params,
-        int stride)
-      : law_(law), relaxation_(relaxation), residual_(residual), n_(n), C_(C), params_(params), stride_(stride) {}
+  Batch(const PlainResponse& law, Relaxation relaxation, int n, const double* C, const double* params, int stride)
+      : law_(law), relaxation_(relaxation), n_(n), C_(C), params_(params), stride_(stride) {}
 
   /// Relaxes the points that the law's W [n], S [3][n] and status [n] at C do not show to be taut.
   void relax(const double* W, const double* S, const std::uint8_t* status);
@@ -75,7 +74,6 @@ class Batch {
 
   const PlainResponse& law_;
   Relaxation relaxation_;
-  double residual_;
   int n_;
   const double *C_, *params_;
   int stride_;
@@ -111,7 +109,7 @@ void Batch::find_loose(const double* W, const double* S, const std::uint8_t* sta
     const Voigt C = {C_[k], C_[n + k], C_[2 * n + k]}, stress = {S[k], S[n + k], S[2 * n + k]};
     const bool admissible = status[k] != point_not_admissible;
     if (admissible ? !is_taut(stress) : is_strain(C))
-      kept_loose.push_back({k, C, admissible, W[k], stress, {}, WrinkleSearch({}, 0.0)});
+      kept_loose.push_back({k, C, admissible, W[k], stress, {}, WrinkleSearch({})});
   }
 }
 
@@ -169,16 +167,15 @@ void Batch::start_axes(Loose& loose) const {
   loose.search.start(Family::axes, half_A);
 }
 
-/// Start of the search for slack fabric: nearly the natural state.
+/// Start of the search for slack fabric: the natural state, where it ends as well.
 void Batch::start_slack(Loose& loose) const {
   const Voigt& C = loose.C;
-  const double part = 0.5 / (1.0 + residual_);
-  loose.search.start(Family::full, {part * (1.0 - C[0]), part * (1.0 - C[1]), -2.0 * part * C[2]});
+  loose.search.start(Family::full, {0.5 * (1.0 - C[0]), 0.5 * (1.0 - C[1]), -C[2]});
 }
 
 void Batch::start(Loose& loose) const {
   const Voigt& C = loose.C;
-  loose.search = WrinkleSearch(loose.natural, residual_);
+  loose.search = WrinkleSearch(loose.natural);
   if (relaxation_ == Relaxation::slack_fibres) return start_axes(loose);
   const bool reaches_natural_state = minor_of(1.0 - C[0], 1.0 - C[1], -C[2]).value >= 0.0;
   reaches_natural_state ? start_slack(loose) : start_wrinkle(loose);
@@ -242,7 +239,7 @@ void Batch::relax(const double* W, const double* S, const std::uint8_t* status) 
 int RelaxedResponse::evaluate(int n, const double* C, const double* params, int param_stride, double* W, double* S,
                               double* D, double* thickness_stretch, std::uint8_t* status) const {
   law_.evaluate(n, C, params, param_stride, W, S, D, thickness_stretch, status);
-  Batch batch(law_, relaxation_, residual_, n, C, params, param_stride);
+  Batch batch(law_, relaxation_, n, C, params, param_stride);
   batch.relax(W, S, status);
   for (const Loose& loose : batch.loose()) {
     const WrinkleSearch& search = loose.search;
@@ -266,7 +263,7 @@ void RelaxedResponse::wrinkles(int n, const double* C, const double* params, int
   points.resize(n);
   law_.evaluate(n, C, params, param_stride, points.W.data(), points.S.data(), nullptr, points.thickness_stretch.data(),
                 points.status.data());
-  Batch batch(law_, relaxation_, residual_, n, C, params, param_stride);
+  Batch batch(law_, relaxation_, n, C, params, param_stride);
   batch.relax(points.W.data(), points.S.data(), points.status.data());
   for (const Loose& loose : batch.loose()) {
     if (loose.search.failed()) continue;

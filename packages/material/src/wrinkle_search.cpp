@@ -85,13 +85,8 @@ void WrinkleSearch::start(Family family, const Voigt& half_A) {
   energy_ = std::numeric_limits<double>::infinity();
 }
 
-Voigt WrinkleSearch::stress() const {
-  Voigt T = times(natural_, A_.half);
-  for (int a = 0; a < 3; ++a) T[a] = answer_.S[a] + residual_ * T[a];
-  return T;
-}
-
-WrinkleSearch::Basis WrinkleSearch::basis(const Voigt& T) const {
+WrinkleSearch::Basis WrinkleSearch::basis() const {
+  const Voigt& T = answer_.S;
   Basis b;
   std::array<Voigt, 3> H = {};
   if (family_ == Family::rank_one) {
@@ -107,10 +102,8 @@ WrinkleSearch::Basis WrinkleSearch::basis(const Voigt& T) const {
       if (is_free) b.column[b.size++] = unit[a];
     }
   }
-  Tangent D = answer_.D;
-  for (int k = 0; k < 6; ++k) D[k] += residual_ * natural_[k];
   for (int j = 0; j < b.size; ++j) {
-    const Voigt Dc = times(D, b.column[j]);
+    const Voigt Dc = times(answer_.D, b.column[j]);
     for (int i = j; i < b.size; ++i) H[i][j] += dot(b.column[i], Dc);
   }
   factorise(b.size, H, b.L, b.d);
@@ -139,8 +132,8 @@ WrinkleSearch::WrinkleStrain WrinkleSearch::moved(double part) const {
 }
 
 void WrinkleSearch::plan() {
-  const Voigt T = stress();
-  basis_ = basis(T);
+  const Voigt& T = answer_.S;
+  basis_ = basis();
   const int n = basis_.size;
   double longest = 0.0;
   step_.slope = 0.0;
@@ -163,7 +156,7 @@ void WrinkleSearch::plan() {
 
 void WrinkleSearch::receive(const Answer& answer) {
   ++received_;
-  const double value = answer.W + 0.5 * residual_ * dot(trial_.half, times(natural_, trial_.half));
+  const double value = answer.W;
   const double rounding = 1e-14 * (natural_[0] + natural_[1] + std::abs(value));
   const double bound = first_ ? energy_ : energy_ + 1e-4 * step_.part * step_.slope;
   if (answer.status != point_not_admissible && value <= bound + rounding) {
@@ -198,15 +191,14 @@ void WrinkleSearch::finish() {
   for (int a = 0; a < 3; ++a) change[a] = A_.half[a] - before[a];
   const Voigt dS = times(answer_.D, change);
   for (int a = 0; a < 3; ++a) answer_.S[a] += dS[a];
-  basis_ = basis(stress());
+  basis_ = basis();
 }
 
 bool WrinkleSearch::is_minimum() const {
   const double zero = zero_stress * (natural_[0] + natural_[1]);
   if (family_ == Family::axes) return true;
   if (family_ == Family::full) return minor_of(2.0 * A_.half[0], 2.0 * A_.half[1], A_.half[2]).value >= 0.0;
-  const Voigt T = stress();
-  return T[0] + T[1] - dot(T, along(A_.n)) >= -zero;
+  return answer_.S[0] + answer_.S[1] - dot(answer_.S, along(A_.n)) >= -zero;
 }
 
 Tangent WrinkleSearch::tangent() const {

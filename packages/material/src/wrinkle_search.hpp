@@ -38,13 +38,13 @@ enum class Family {
   axes       ///< diag(A11, A22) >= 0
 };
 
-/// Minimum over A of f(A) = W(C + A) + eps/2 (A/2):D0:(A/2) at one point, by Newton's method with a line search. The
-/// law is evaluated by the caller, so that many points share a batch:
+/// Minimum over A of f(A) = W(C + A) at one point, by Newton's method with a line search. The law is evaluated by the
+/// caller, so that many points share a batch:
 ///   while (!search.done()) search.receive(answer of the law at C + A, with A/2 = search.trial());
 class WrinkleSearch {
  public:
-  /// D0: the law's tangent in the natural state; residual: eps.
-  WrinkleSearch(const Tangent& natural, double residual) : natural_(natural), residual_(residual) {}
+  /// `natural`: the law's tangent in the natural state.
+  explicit WrinkleSearch(const Tangent& natural) : natural_(natural) {}
 
   /// From A = q n n^T; q is shortened until f is not above `bound`, the law's energy at C (or infinite).
   void start_rank_one(const Direction& n, double q, double bound);
@@ -88,8 +88,7 @@ class WrinkleSearch {
     double slope = 0.0, part = 1.0;     ///< of f along the whole step
   };
 
-  Voigt stress() const;  ///< of f: S + eps D0:(A/2)
-  Basis basis(const Voigt& T) const;
+  Basis basis() const;
   void plan();
   void retreat();
   WrinkleStrain moved(double part) const;
@@ -97,7 +96,6 @@ class WrinkleSearch {
   void finish();
 
   Tangent natural_;
-  double residual_;
   Family family_ = Family::full;
   bool first_ = true, done_ = false;
   WrinkleStrain A_, trial_;

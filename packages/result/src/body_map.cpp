@@ -8,28 +8,13 @@
 
 #include "toile/body/triangle_tree.hpp"
 #include "triangulate.hpp"
+#include "vertex_normals.hpp"
 
 namespace toile::result {
 namespace {
 
 using body::Vec3;
 using Hit = body::TriangleTree::Hit;
-
-/// Unit normals of the vertices, weighted by the area of their triangles.
-std::vector<Vec3> vertex_normals(const body::TriangleMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-  const auto vertex = [&](int i) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(i)]; };
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 normal = (vertex(b) - vertex(a)).cross(vertex(c) - vertex(a));
-    for (const int i : {a, b, c}) {
-      normals[static_cast<std::size_t>(i)] += normal;
-    }
-  }
-  for (Vec3& normal : normals) {
-    normal.normalize();
-  }
-  return normals;
-}
 
 /// Value at a place inside a triangle.
 template <class T>
@@ -148,12 +133,15 @@ std::vector<std::vector<int>> nodes_of_vertices(const mesh::Mesh& garment) {
 }  // namespace
 
 BodyMap::BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options)
-    : vertices_(body.vertices.size()) {
+    : BodyMap(garment, body.vertices, vertex_normals(body), options) {}
+
+BodyMap::BodyMap(const GarmentOnBody& garment, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                 const BodyMapOptions& options)
+    : vertices_(points.size()) {
   const Finder finder(garment, options);
-  const std::vector<Vec3> normals = vertex_normals(body);
   const std::vector<std::vector<int>> nodes = nodes_of_vertices(*garment.mesh);
   for (std::size_t i = 0; i < vertices_; ++i) {
-    for (const Hit& hit : finder.over(body.vertices[i], normals[i])) {
+    for (const Hit& hit : finder.over(points[i], normals[i])) {
       for (int k = 0; k < 3; ++k) {
         const auto& corners = finder.triangles().mesh.triangles[static_cast<std::size_t>(hit.triangle)];
         const std::vector<int>& of = nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];

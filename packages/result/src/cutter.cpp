@@ -37,9 +37,12 @@ class Pieces {
     while (parent_[static_cast<std::size_t>(edge)] != edge) edge = parent_[static_cast<std::size_t>(edge)];
     return edge;
   }
-  /// A piece ends at an edge that one segment alone meets.
-  bool ends_at(int edge) const { return count_[static_cast<std::size_t>(edge)] == 1; }
-  int edges() const { return static_cast<int>(parent_.size()); }
+  /// Calls work(edge, a, b) for the edges where a piece ends, which one segment alone meets, with their vertices.
+  template <class F>
+  void for_each_end(const F& work) const {
+    for (const auto& [vertices, edge] : edges_)
+      if (count_[static_cast<std::size_t>(edge)] == 1) work(edge, vertices.first, vertices.second);
+  }
 
  private:
   std::map<std::pair<int, int>, int> edges_;
@@ -55,7 +58,7 @@ std::pair<Vec3, Vec3> across(const Vec3& direction) {
 }
 
 /// Whether the section runs round the axis: a ray from the axis meets a closed one an odd number of times; an open one
-/// is seen under more than half a turn.
+/// is seen under more than half a turn, and half of one with a mirror image under more than a quarter.
 bool surrounds(const Section& section, const AxisPlace& axis) {
   const auto [right, back] = across(axis.direction);
   // Not along the middle of a limb, where a regular mesh may have a node: its round-off would count it twice.
@@ -69,6 +72,7 @@ bool surrounds(const Section& section, const AxisPlace& axis) {
     if ((ya > 0.0) != (yb > 0.0) && xa + (xb - xa) * ya / (ya - yb) > 0.0) ++crossings;
     angle += std::atan2(a.cross(b).norm(), a.dot(b));
   }
+  if (section.mirrored) return angle > 0.5 * M_PI;
   return section.closed ? crossings % 2 == 1 : angle > M_PI;
 }
 
@@ -132,6 +136,9 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
   tied_.resize(surface_.mesh.vertices.size());
   std::iota(tied_.begin(), tied_.end(), 0);
   std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
+  mirror_.assign(tied_.size(), -1);
+  for (std::size_t n = 0; n < garment.mirror.size(); ++n)
+    if (garment.mirror[n] >= 0) mirror_[n] = mirror_[static_cast<std::size_t>(tied_[n])] = garment.mirror[n];
   find_ends(axis_);
 }
 
@@ -312,8 +319,16 @@ std::vector<Section> Cutter::pieces(double height, const AxisPlace& axis) const 
   std::map<int, Section> sections;
   for (const auto& [edge, segment] : found) sections[pieces.root(edge)].segments.push_back(segment);
   for (auto& [root, section] : sections) section.closed = true;
-  for (int edge = 0; edge < pieces.edges(); ++edge)
-    if (pieces.ends_at(edge)) sections[pieces.root(edge)].closed = false;
+  // An open piece whose ends lie in one plane of symmetry goes on beyond it, back to its other end.
+  std::map<int, std::set<int>> planes;  // [piece] in which it ends; -1: in none
+  pieces.for_each_end([&](int edge, int a, int b) {
+    const int plane = mirror_[static_cast<std::size_t>(a)];
+    planes[pieces.root(edge)].insert(plane == mirror_[static_cast<std::size_t>(b)] ? plane : -1);
+  });
+  for (const auto& [piece, ends] : planes) {
+    sections[piece].mirrored = ends.size() == 1 && *ends.begin() >= 0;
+    sections[piece].closed = sections[piece].mirrored;
+  }
 
   std::vector<Section> all;
   for (auto& [root, section] : sections)

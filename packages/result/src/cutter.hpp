@@ -26,7 +26,8 @@ struct Segment {
 struct Section {
   std::vector<Segment> segments;
   bool closed = false;
-  double girth() const;
+  bool mirrored = false;  ///< closed by its mirror image
+  double girth() const;   ///< its own length, mm
   mesh::Vec3 centre() const;
 };
 
@@ -76,6 +77,7 @@ class Cutter {
   Axis axis_;
   GarmentTriangles surface_;
   std::vector<int> tied_;                           ///< [vertex]
+  std::vector<int> mirror_;                         ///< [vertex]
   std::vector<double> pressure_;                    ///< [vertex]
   std::vector<double> error_;                       ///< [vertex]
   std::vector<mesh::Vec2> centre_;                  ///< [element] in the pattern, mm

@@ -13,9 +13,10 @@ const std::vector<FieldName>& geometry_fields() {
 }
 
 const FieldName& body_error_field() {
-  static const FieldName field = {"body_error", "mm",
-                                  "only on the nodes of a body from a file: how far the smooth surface that the fabric "
-                                  "lies on is outside of the vertex; 0 as well where there is no smooth surface"};
+  static const FieldName field = {
+      "body_error", "mm",
+      "only on the nodes of a body from a file: how far the smooth surface that the fabric "
+      "lies on is outside of the file's vertices, linear in between; 0 as well where there is none"};
   return field;
 }
 

@@ -28,12 +28,14 @@ LevelRow row_of(const Section& section, const GarmentFields& garment) {
   LevelRow row;
   row.panels = panels_of(section, *garment.mesh);
   row.closed = section.closed;
-  row.girth = section.girth();
+  row.mirrored = section.mirrored;
+  const double length = section.girth();
+  row.girth = row.mirrored ? 2.0 * length : length;
   row.pressure_min = std::numeric_limits<double>::infinity();
   row.pressure_max = -row.pressure_min;
   row.smallest_stress = row.pressure_min;
   for (const Segment& segment : section.segments) {
-    const double share = segment.length() / row.girth;
+    const double share = segment.length() / length;
     const auto element = static_cast<std::size_t>(segment.element);
     const auto [low, high] = std::minmax(segment.pressure[0], segment.pressure[1]);
     row.pressure_mean += 0.5 * share * (low + high);

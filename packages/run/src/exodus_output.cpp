@@ -2,7 +2,7 @@
 #include "exodus_output.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "output.hpp"
 #include "toile/base/error.hpp"
@@ -10,6 +10,7 @@
 #include "toile/result/body_map.hpp"
 #include "toile/result/exodus_writer.hpp"
 #include "toile/result/field_name.hpp"
+#include "toile/result/shown_body.hpp"
 #include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
@@ -24,19 +25,6 @@ std::vector<result::FieldName> names_of(const std::vector<solve::NamedField>& fi
   return names;
 }
 
-/// [vertex] mm, how far the surface lies outside of the triangles' vertices; empty if it is what they were made from.
-std::vector<double> body_errors(const body::Surface& surface, const body::TriangleMesh& triangles) {
-  constexpr double round_off = 1e-6;  // mm
-  std::vector<double> errors;
-  for (const body::Vec3& vertex : triangles.vertices) {
-    const body::SurfacePoint point = surface.closest(vertex);
-    errors.push_back(point.found ? -point.gap : 0.0);
-  }
-  const auto none = [](double error) { return std::abs(error) < round_off; };
-  if (std::all_of(errors.begin(), errors.end(), none)) errors.clear();
-  return errors;
-}
-
 /// One file, opened for the fields of the record's state.
 class Steps {
  public:
@@ -44,15 +32,17 @@ class Steps {
     const scene::Scene& scene = record.scene();
     const bool with_body = scene.surface() != nullptr;
     if (with_body) {
-      body_ = scene.surface()->triangles(scene.output().body_size);
-      body_errors_ = body_errors(*scene.surface(), body_);
+      const std::optional<double>& size = scene.output().body_size;
+      body_ = result::shown_body(*scene.surface(), scene.surface()->triangles(size.value_or(scene::formula_body_size)),
+                                 scene.garment().mesh, size);
     }
     result::FieldNames names;
     names.nodal = names_of(solve::nodal_fields(scene.problem(), record.fields()));
-    if (!body_errors_.empty()) names.nodal.push_back(result::body_error_field());
+    if (!body_.error.empty()) names.nodal.push_back(result::body_error_field());
     names.element = names_of(solve::element_fields(record.fields()));
     names.global = names_of(solve::global_fields(scene.problem(), report));
-    writer_ = std::make_unique<result::ExodusWriter>(path, scene.garment().mesh, with_body ? &body_ : nullptr, names);
+    writer_ =
+        std::make_unique<result::ExodusWriter>(path, scene.garment().mesh, with_body ? &body_.mesh : nullptr, names);
   }
 
   /// After so many steps of the file that is there.
@@ -69,7 +59,7 @@ class Steps {
       if (field.on_body && on_body) data.body_nodal[field.name] = on_body->map(field.values);
       data.nodal[field.name] = std::move(field.values);
     }
-    if (!body_errors_.empty()) data.body_nodal[result::body_error_field().name] = body_errors_;
+    if (!body_.error.empty()) data.body_nodal[result::body_error_field().name] = body_.error;
     for (solve::NamedField& field : solve::element_fields(fields)) data.element[field.name] = std::move(field.values);
     for (const solve::NamedField& field : solve::global_fields(problem, report))
       data.global[field.name] = field.values.front();
@@ -83,11 +73,10 @@ class Steps {
     const auto presses = [](double force) { return force > 0.0; };
     if (std::none_of(fields.contact_force.begin(), fields.contact_force.end(), presses)) return std::nullopt;
     return result::BodyMap({problem.mesh, fields.position, tied_nodes(problem, report), fields.gap, fields.normal},
-                           body_);
+                           body_.mesh);
   }
 
-  body::TriangleMesh body_;
-  std::vector<double> body_errors_;
+  result::ShownBody body_;
   std::unique_ptr<result::ExodusWriter> writer_;
 };
 

@@ -54,7 +54,7 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 /// What a reader must know of a row.
 std::string remark(const result::LevelRow& row) {
   if (!row.reached()) return "not reached";
-  std::string text = row.closed ? "" : "open";
+  std::string text = row.mirrored ? "half, with its mirror image" : row.closed ? "" : "open";
   if (row.at_support) text += std::string(text.empty() ? "" : ", ") + "at a support";
   return text;
 }
@@ -77,13 +77,21 @@ std::string level_table(const std::vector<result::LevelRow>& levels) {
   return "Pressure at the levels, mean round the section +- its error by the mesh\n" + columns(rows);
 }
 
-std::string point_table(const scene::Scene& scene, const solve::Fields& fields) {
+std::string point_table(const scene::Scene& scene, const solve::Fields& fields,
+                        const std::vector<BodyPressure>& on_body) {
   std::vector<std::vector<std::string>> rows = {{"point", "mmHg", "kPa", "gap mm"}};
   for (const scene::Point& point : scene.output().points) {
     const double pressure = fields.pressure[point.node];
     rows.push_back({point.title,
                     with_error(base::mpa_to_mmhg(pressure), base::mpa_to_mmhg(fields.pressure_error[point.node])),
                     number("%.3g", base::mpa_to_kpa(pressure)), number("%.2f", fields.gap[point.node])});
+  }
+  for (size_t p = 0; p < on_body.size(); ++p) {
+    const BodyPressure& there = on_body[p];
+    rows.push_back({scene.output().body_points[p].title,
+                    with_error(base::mpa_to_mmhg(there.pressure), base::mpa_to_mmhg(there.error)),
+                    number("%.3g", base::mpa_to_kpa(there.pressure)),
+                    there.gap ? number("%.2f", *there.gap) : "no fabric"});
   }
   return "Pressure at the points +- its error by the mesh\n" + columns(rows);
 }
@@ -143,10 +151,12 @@ std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const
 }
 
 /// The tables of levels and of points, the stretches of each panel, the largest pressure.
-std::string findings(const scene::Scene& scene, const solve::Fields& fields, const PressureReport& pressure) {
+std::string findings(const scene::Scene& scene, const solve::Fields& fields, const PressureReport& pressure,
+                     const std::vector<BodyPressure>& on_body) {
   std::string text;
   if (!pressure.levels.empty()) text += level_table(pressure.levels);
-  if (scene.surface() != nullptr && !scene.output().points.empty()) text += point_table(scene, fields);
+  if (scene.surface() != nullptr && !(scene.output().points.empty() && on_body.empty()))
+    text += point_table(scene, fields, on_body);
   text += stretch_table(scene, fields);
   if (const auto largest = largest_pressure(scene, fields))
     text += "Largest pressure away from supports: " +
@@ -185,7 +195,8 @@ class Findings : public Observer {
 
   void end(const Record& record) override {
     const scene::Scene& scene = record.scene();
-    const std::string found = findings(scene, record.fields(), record.pressure());
+    const std::string found =
+        findings(scene, record.fields(), record.pressure(), body_pressures(scene, record.fields(), record.last()));
     log_.info(found + (folder_ != nullptr ? files_text(*folder_) : std::string()));
     if (const auto warning = implausible_pressure(scene, record.fields())) log_.warn(*warning);
   }

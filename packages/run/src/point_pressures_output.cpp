@@ -1,8 +1,10 @@
 // pressure-points.csv: the pressure at the points that the scene names, in the last state.
 #include <array>
+#include <limits>
 
 #include "table_output.hpp"
 #include "toile/base/units.hpp"
+#include "toile/run/pressure_report.hpp"
 
 namespace toile::run {
 
@@ -30,6 +32,19 @@ class PointPressures : public TableOutput {
       table.row_names.push_back(point.title);
       for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
     }
+    const std::vector<scene::BodyPoint>& points = record.scene().output().body_points;
+    const std::vector<BodyPressure> pressures = body_pressures(record.scene(), fields, record.last());
+    for (size_t p = 0; p < points.size(); ++p) {
+      const solve::Vec3& x = points[p].place;
+      const std::array<double, 6> row = {x[0],
+                                         x[1],
+                                         x[2],
+                                         base::mpa_to_kpa(pressures[p].pressure),
+                                         base::mpa_to_kpa(pressures[p].error),
+                                         pressures[p].gap.value_or(std::numeric_limits<double>::quiet_NaN())};
+      table.row_names.push_back(points[p].title);
+      for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
+    }
     TableOutput::write("pressure-points", table);
   }
 };
@@ -37,12 +52,12 @@ class PointPressures : public TableOutput {
 }  // namespace
 
 Output point_pressures_output() {
-  return {
-      {"pressure-points.csv"}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
-        if (context.folder == nullptr || context.scene.surface() == nullptr || context.scene.output().points.empty())
-          return nullptr;
-        return std::make_unique<PointPressures>(context);
-      }};
+  return {{"pressure-points.csv"}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
+            const scene::Output& output = context.scene.output();
+            if (context.folder == nullptr || context.scene.surface() == nullptr) return nullptr;
+            if (output.points.empty() && output.body_points.empty()) return nullptr;
+            return std::make_unique<PointPressures>(context);
+          }};
 }
 
 }  // namespace toile::run

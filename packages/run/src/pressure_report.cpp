@@ -1,8 +1,12 @@
 #include "toile/run/pressure_report.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
+#include <optional>
 
+#include "toile/result/body_map.hpp"
 #include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
@@ -20,7 +24,31 @@ result::Axis axis_of(const scene::Output& output) {
   return axis;
 }
 
+/// The plane of symmetry in which a support holds its nodes: its normal, x, y or z, and where it is along it, mm.
+std::optional<std::pair<int, double>> mirror_plane(const solve::Problem& problem, const solve::Support& support) {
+  constexpr double flat = 1e-6;  // mm
+  if (std::count(support.held.begin(), support.held.end(), true) != 1 || support.nodes.size() < 2) return std::nullopt;
+  if (!support.axes.empty() || support.turn || support.displacement != solve::Vec3::Zero()) return std::nullopt;
+  const auto normal = std::find(support.held.begin(), support.held.end(), true) - support.held.begin();
+  const double place = problem.mesh->placed[support.nodes.front()][normal];
+  const bool in_plane = std::all_of(support.nodes.begin(), support.nodes.end(),
+                                    [&](int n) { return std::abs(problem.mesh->placed[n][normal] - place) <= flat; });
+  if (!in_plane) return std::nullopt;
+  return std::pair(static_cast<int>(normal), std::round(place / flat) * flat);
+}
+
 }  // namespace
+
+std::vector<int> mirror_planes(const solve::Problem& problem) {
+  std::vector<int> plane(static_cast<size_t>(problem.mesh->nodes()), -1);
+  std::map<std::pair<int, double>, int> number;
+  for (const solve::Support& support : problem.supports)
+    if (const auto found = mirror_plane(problem, support)) {
+      const int k = number.try_emplace(*found, static_cast<int>(number.size())).first->second;
+      for (const int n : support.nodes) plane[n] = k;
+    }
+  return plane;
+}
 
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report) {
   std::vector<int> tied(static_cast<size_t>(problem.mesh->nodes()));
@@ -34,7 +62,8 @@ std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepRepo
 std::vector<bool> elements_at_supports(const solve::Problem& problem) {
   std::vector<bool> held(static_cast<size_t>(problem.mesh->nodes()), false), at_support;
   for (const solve::Support& support : problem.supports)
-    for (const int n : support.nodes) held[n] = true;
+    if (!mirror_plane(problem, support))
+      for (const int n : support.nodes) held[n] = true;
   for (const mesh::Block& block : problem.mesh->blocks) {
     const int per = block.nodes_per_element;
     for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += per) {
@@ -43,6 +72,28 @@ std::vector<bool> elements_at_supports(const solve::Problem& problem) {
     }
   }
   return at_support;
+}
+
+std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                         const solve::StepReport& report) {
+  std::vector<solve::Vec3> places, normals;
+  for (const scene::BodyPoint& point : scene.output().body_points) {
+    places.push_back(point.place);
+    normals.push_back(point.normal);
+  }
+  if (places.empty()) return {};
+  const result::BodyMap map(
+      {scene.problem().mesh, fields.position, tied_nodes(scene.problem(), report), fields.gap, fields.normal}, places,
+      normals);
+  const std::vector<double> pressure = map.map(fields.pressure), error = map.map(fields.pressure_error),
+                            gap = map.map(fields.gap),
+                            layers = map.map(std::vector<double>(fields.position.size(), 1.0));
+  std::vector<BodyPressure> all;
+  for (size_t p = 0; p < places.size(); ++p) {
+    all.push_back({pressure[p], error[p], std::nullopt});
+    if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
+  }
+  return all;
 }
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields,
@@ -57,7 +108,8 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
                                       fields.pressure_error,
                                       fields.tension,
                                       solve::named(solve::element_fields(fields), "cauchy_minor").values,
-                                      elements_at_supports(scene.problem())};
+                                      elements_at_supports(scene.problem()),
+                                      mirror_planes(scene.problem())};
   const result::Axis axis = axis_of(output);
   std::vector<result::Level> levels;
   for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});

@@ -5,6 +5,7 @@
 
 #include "figures.hpp"
 #include "output.hpp"
+#include "toile/base/memory.hpp"
 #include "toile/base/units.hpp"
 #include "toile/material/response.hpp"
 
@@ -35,7 +36,6 @@ std::string stability(int negative_pivots) {
 
 /// What compression in the fabric means.
 std::string compression_text(const material::Response& fabric) {
-  if (fabric.compression() == "tension field") return "what the residual stiffness of wrinkled fabric leaves";
   if (fabric.compression() == "slack fibres") return "compression that lies along no yarn; real fabric wrinkles there";
   return "compression: real fabric wrinkles there";
 }
@@ -103,11 +103,13 @@ std::string text_of(const Record& record, const base::Timer& timer) {
   if (report.energy.stabilisation != 0.0)
     out << "  of it in hourglass modes of reduced shells: "
         << 100.0 * report.energy.stabilisation / report.energy.strain << " %\n";
-  out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots)
-      << "\n";
+  out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots);
+  if (report.accuracy.kept > 0.0) out << "; the residual stiffness of slack fabric carries " << report.accuracy.kept;
+  out << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "
       << statistics.newton_iterations << " Newton iterations, " << statistics.linear_iterations
       << " linear iterations, " << statistics.factorisations << " factorisations\n";
+  out << "  memory: " << std::lround(base::peak_memory()) << " MB at most, on the first rank\n";
   out << "  modules used: " << joined(scene.used()) << "\n  modules left out: " << joined(scene.left_out()) << "\n";
   out << timer.table();
   return out.str();

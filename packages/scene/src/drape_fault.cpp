@@ -44,23 +44,26 @@ double median_stretch(const mesh::Mesh& mesh, const mesh::MeshedPanel& panel) {
   return *middle;
 }
 
-std::string too_small(const mesh::Mesh& mesh, const drape::Outcome& outcome) {
-  const mesh::MeshedPanel& panel = mesh.panel_of_node(outcome.most_stretched);
-  const std::string needed = short_number(median_stretch(mesh, panel));
-  const std::string place =
-      short_number(outcome.largest_stretch) + " times near " + place_text(mesh.placed[outcome.most_stretched]);
-  constexpr double small = 1.5;
-  if (median_stretch(mesh, panel) < small)
-    return "panel \"" + panel.name + "\" is caught: a side of an element is stretched " + place + ", and knits stand " +
-           short_number(most_stretched) + ", though half of the panel is stretched by less than " + needed +
-           ". It may hang on a limb that is in its way, or a sleeve is too narrow for its arm: start it where it will "
-           "lie (\"Placement\")" +
-           look;
-  return "the pattern is too small for the body: to lie round it, half of panel \"" + panel.name +
-         "\" would need a stretch of " + needed + " and more, at most " + place + ", and knits stand " +
-         short_number(most_stretched) + ". A pattern " + needed +
+std::string too_small(const mesh::Mesh& mesh, const drape::Outcome& outcome, double stretch) {
+  const std::string needed = short_number(stretch);
+  return "the pattern is too small for the body: to lie round it, half of panel \"" +
+         mesh.panel_of_node(outcome.most_stretched).name + "\" would need a stretch of " + needed +
+         " and more, at most " + short_number(outcome.largest_stretch) + " times near " +
+         place_text(mesh.placed[outcome.most_stretched]) + ", and knits stand " + short_number(most_stretched) +
+         ". A pattern " + needed +
          " times as wide would lie on it. Check the unit and the size of the pattern and of the body, and from where "
          "the panel comes" +
+         look;
+}
+
+std::string caught(const mesh::Mesh& mesh, const drape::Outcome& outcome, double stretch) {
+  return "panel \"" + mesh.panel_of_node(outcome.most_stretched).name +
+         "\" is caught: a side of an element is stretched " + short_number(outcome.largest_stretch) + " times near " +
+         place_text(mesh.placed[outcome.most_stretched]) + ", and knits stand " + short_number(most_stretched) +
+         ", though half of the panel is stretched by less than " + short_number(stretch) +
+         ". It may hang on a limb that is in its way, or a sleeve is too narrow for its arm: start it where it will "
+         "lie "
+         "(\"Placement\")" +
          look;
 }
 
@@ -92,8 +95,7 @@ std::string too_large(double gap, double distance) {
          " mm away on average, as if it were " + short_number(2.0 * M_PI * (gap - distance)) +
          " mm wider round than the body. It would press nowhere, and nothing holds a loose garment in shape (there are "
          "no \"Loads\"), so that it would not come to rest. Check the unit and the size of the pattern and of the "
-         "body, "
-         "and whether the panels start round the part of the body that is meant" +
+         "body, and whether the panels start round the part of the body that is meant" +
          look;
 }
 
@@ -105,8 +107,13 @@ std::string drape_fault(const base::List& scene, const garment::Garment& garment
   const auto of_list = [&list](const std::string& problem) {
     return list.file() + ": " + list.path() + ": " + problem;
   };
-  if (outcome.largest_stretch > most_stretched) return of_list(too_small(garment.mesh, outcome));
+  const bool overstretched = outcome.largest_stretch > most_stretched;
+  constexpr double small = 1.5;  // of a panel whose size is the cause, and not its place
+  const double stretch =
+      overstretched ? median_stretch(garment.mesh, garment.mesh.panel_of_node(outcome.most_stretched)) : 1.0;
+  if (stretch > small) return of_list(too_small(garment.mesh, outcome, stretch));
   if (outcome.largest_opening > closed) return message_of(list, "most rounds", still_open(garment, clusters, outcome));
+  if (overstretched) return of_list(caught(garment.mesh, outcome, stretch));
   const double distance = list.real("distance");
   constexpr double near = 1.0;  // mm
   const double gap = scene.has_list("Loads") ? 0.0 : mean_gap(garment.mesh, body, distance + near);

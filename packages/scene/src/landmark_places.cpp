@@ -87,6 +87,9 @@ class Places {
       if (const auto direction = vector_in(output, "axis direction"); direction && !direction->isZero())
         line->direction = direction->normalized();
     }
+    in(output, path, "Body points", [&](ParameterList& all, const std::string& here) {
+      each(all, here, [&](ParameterList& point, const std::string& there) { points(point, there, {"at"}); });
+    });
     in(output, path, "Levels", [&](ParameterList& levels, const std::string& here) {
       each(levels, here,
            [&](ParameterList& level, const std::string& there) { heights(level, there, {"height"}, line); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "toile/base/error.hpp"
 #include "toile/crossing/crossings.hpp"
@@ -96,6 +97,26 @@ bool moves_as_one(const solve::Support& support) {
 
 }  // namespace
 
+namespace {
+
+/// Onto the smooth surface, from a point of the body's own triangles or near it.
+BodyPoint read_body_point(const base::List& entry, const body::Surface* surface) {
+  constexpr double near = 20.0;  // mm
+  if (surface == nullptr) entry.fail("at", no_body);
+  const solve::Vec3 place = vector_of(entry, "at");
+  const body::SurfacePoint there = surface->closest(place);
+  std::ostringstream text;
+  if (!there.found || std::abs(there.gap) > near) {
+    text << "lies " << (there.found ? std::to_string(std::lround(std::abs(there.gap))) + " mm" : std::string("far"))
+         << " from the body's skin; allowed are points within " << near
+         << " mm of it, or landmarks on it (left bust point; not bust, which lies in the middle of the body)";
+    entry.fail("at", text.str());
+  }
+  return {entry.name(), there.closest, there.normal};
+}
+
+}  // namespace
+
 Output read_output(const base::List& list, const solve::Problem& problem) {
   Output out;
   out.axis_point = vector_of(list, "axis point");
@@ -111,9 +132,9 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   out.stations = list.integer("stations");
   if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
   if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
-  out.body_size = list.real("body size");
+  if (list.given("body size")) out.body_size = list.real("body size");
   try {
-    if (problem.surface != nullptr) problem.surface->triangles(out.body_size);
+    if (problem.surface != nullptr) problem.surface->triangles(out.body_size.value_or(formula_body_size));
   } catch (const base::InputError& error) {
     list.fail("body size", error.what());
   }
@@ -151,6 +172,9 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   if (list.has_list("Points"))
     for (const base::List& entry : list.list("Points").entries())
       out.points.push_back(read_point(entry, *problem.mesh));
+  if (list.has_list("Body points"))
+    for (const base::List& entry : list.list("Body points").entries())
+      out.body_points.push_back(read_body_point(entry, problem.surface));
   return out;
 }
 

@@ -38,6 +38,8 @@ Spec output_spec() {
             Range::between(0.0, 1.0));
   Spec point("point", "A node whose displacement is written at every step.");
   point.word("on", "A corner (front.top-left), a place on an edge (front.top@0.5) or in a panel (front@0.5,0.25).");
+  Spec body_point("body point", "A place on the body, whatever fabric lies there.");
+  body_point.reals("at", "mm", "x, y, z within 20 mm of the body's skin, or a landmark on it (left bust point).");
   Spec output("Output", "What is written beyond the fields of the Exodus file.");
   output
       .reals("axis point", "mm",
@@ -54,8 +56,10 @@ Spec output_spec() {
             0.0, Range::non_negative())
       .integer("stations", "Points of the pressure curve along the axis, at least 2; 0: no curve.", 0,
                Range::between(0, 10000))
-      .real("body size", "mm", "Edge length of the triangles that show a body given by a formula.", 5.0,
-            Range::positive())
+      .real("body size", "mm",
+            "Edge length of the triangles that show the body. Left out: 5 of a body given by a formula; of one from a "
+            "file the mean side of the garment's elements, near the garment, and beyond it the file's own triangles.",
+            std::numeric_limits<double>::quiet_NaN(), Range::positive())
       .flag("crossings",
             "Whether fabric that passes through itself or through other panels is looked for: at the start, in every "
             "written state and at the end of each stage, which warns. Elements that have a node or a seam in common do "
@@ -68,7 +72,11 @@ Spec output_spec() {
       .list(Spec("Points",
                  "Nodes whose displacements are followed (points.csv), and their pressure at the end "
                  "(pressure-points.csv).")
-                .entries(point));
+                .entries(point))
+      .list(Spec("Body points",
+                 "Places on the body, at which the pressure of whatever fabric lies there is told "
+                 "(pressure-points.csv): the same places whatever the mesh.")
+                .entries(body_point));
   return output;
 }
 

@@ -33,6 +33,9 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held&
       kinematics_(problem, layout_, drive, start),
       strain_(problem, layout_, *graph_) {
   terms_.push_back(&strain_);
+  const Configuration placed = kinematics_.at(*start_vector(), 0.0);
+  if (ResidualStiffness::is_in(problem))
+    terms_.push_back(&residual_stiffness_.emplace(problem, layout_, *graph_, placed));
   if (!problem.loads.empty()) terms_.push_back(&dead_load_.emplace(problem, layout_, kinematics_));
   if (!problem.pressures.empty()) terms_.push_back(&pressure_load_.emplace(problem, layout_, *graph_));
   terms_.push_back(&damper_.emplace(layout_, diagonal_, strain_.reference_areas()));
@@ -40,10 +43,9 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held&
   tangent_.emplace(layout_, graph_, diagonal_, contact_ ? &contact_->projection() : nullptr,
                    ShiftMass{damper_->cluster_mass(), damper_->mass(), rotary_mass(problem)}, options.linear,
                    std::move(linear));
-  const Configuration at = kinematics_.at(*start_vector(), 0.0);
-  if (layout_.has_shells()) adopt_thickness(at);
+  if (layout_.has_shells()) adopt_thickness(placed);
   find_measures();
-  damper_->start_step(at);
+  damper_->start_step(placed);
 }
 
 Equilibrium::~Equilibrium() = default;
@@ -57,8 +59,10 @@ double Equilibrium::sum(double mine) const {
 void Equilibrium::find_measures() {
   double* values = tangent_->clear();
   Forces forces = no_forces();
-  strain_.add(kinematics_.at(*start_vector(), 0.0), forces, values);
-  if (pressure_load_) pressure_load_->add(kinematics_.at(*start_vector(), 0.0), forces, values);
+  const Configuration at = kinematics_.at(*start_vector(), 0.0);
+  strain_.add(at, forces, values);
+  if (residual_stiffness_) residual_stiffness_->add(at, forces, values);
+  if (pressure_load_) pressure_load_->add(at, forces, values);
   measures_ = measure(layout_, diagonal_, damper_->cluster_mass(), problem_.clusters.size(), values);
   if (contact_) contact_->set_stiffness(problem_.contact.relative_stiffness * std::abs(measures_.stiffness));
   tangent_->set_measures(measures_, contact_stiffness());
@@ -77,6 +81,12 @@ Forces Equilibrium::no_forces() const {
 Forces Equilibrium::forces_of(Term* term, const Configuration& at) const {
   Forces forces = no_forces();
   if (term != nullptr) term->add(at, forces, nullptr);
+  return forces;
+}
+
+Forces Equilibrium::forces_of_fabric(const Configuration& at) {
+  Forces forces = forces_of(&strain_, at);
+  if (residual_stiffness_) residual_stiffness_->add(at, forces, nullptr);
   return forces;
 }
 
@@ -220,6 +230,20 @@ double Equilibrium::stabilisation_energy(const Vector& z, double s) {
   return sum(strain_.stabilisation_energy(kinematics_.at(z, s)));
 }
 
+double Equilibrium::kept_residual(const Vector& z, double s) {
+  if (!residual_stiffness_) return 0.0;
+  Vector f(z.getMap());
+  residual_stiffness_->set_active(false);
+  const Evaluation without = residual(z, s, f);
+  residual_stiffness_->set_active(true);
+  return without.imbalance.relative();
+}
+
+bool Equilibrium::keep_in_place(const Vector& z, double s) {
+  if (residual_stiffness_) residual_stiffness_->start_step(kinematics_.at(z, s));
+  return residual_stiffness_.has_value();
+}
+
 double Equilibrium::dissipation(const Vector& z, double s) const {
   return sum(damper_->dissipation(kinematics_.at(z, s)));
 }
@@ -272,15 +296,14 @@ double Equilibrium::least_pressing_force(const Forces& forces) const {
 void Equilibrium::balance_multipliers(Vector& z, double s) {
   if (!contact_) return;
   const Configuration at = kinematics_.at(z, s);
-  const Forces forces = forces_of(&strain_, at);
+  const Forces forces = forces_of_fabric(at);
   contact_->balance(at, forces, least_pressing_force(forces), z);
 }
 
 ForceBalance Equilibrium::balance(const Vector& z, double s) {
   const Configuration at = kinematics_.at(z, s);
-  TermForces terms{forces_of(&strain_, at), forces_of(dead_load_ ? &*dead_load_ : nullptr, at),
-                   forces_of(&*damper_, at), forces_of(contact_ ? &*contact_ : nullptr, at),
-                   dead_load_ ? dead_load_->moments() : 0.0};
+  TermForces terms{forces_of_fabric(at), forces_of(dead_load_ ? &*dead_load_ : nullptr, at), forces_of(&*damper_, at),
+                   forces_of(contact_ ? &*contact_ : nullptr, at), dead_load_ ? dead_load_->moments() : 0.0};
   if (pressure_load_) pressure_load_->add(at, terms.load, nullptr);
   // What 1e-4 mm at every node would take is the least that counts: at rest there are only forces of rounded positions.
   constexpr double resting = 1e-4;

@@ -12,6 +12,7 @@
 #include "terms/dead_load.hpp"
 #include "terms/evaluation.hpp"
 #include "terms/pressure_load.hpp"
+#include "terms/residual_stiffness.hpp"
 #include "terms/strain.hpp"
 #include "toile/solve/options.hpp"
 
@@ -70,6 +71,8 @@ class Equilibrium {
   ForceBalance balance(const Vector& z, double s);
   /// The part of the strain energy at (z, s) that only stabilises reduced elements, N mm. Collective.
   double stabilisation_energy(const Vector& z, double s);
+  /// The relative residual that the residual stiffness carries. Collective.
+  double kept_residual(const Vector& z, double s);
   double dissipation(const Vector& z, double s) const;  ///< c sum M |x - x_n|^2 / dt, N mm, of the step from x_n to z
   /// Rate of the residual with s at fixed z, by differences of 1e-5; at the start of a stage forwards, because a
   /// support's path may have a kink there.
@@ -87,6 +90,8 @@ class Equilibrium {
   /// x_n of the damping and of contact, frames of the directors, thickness of shells; the tangent will be factorised
   /// afresh.
   void start_step(const Vector& converged, double s);
+  /// Residual stiffness counts from z on. False: there is none.
+  bool keep_in_place(const Vector& z, double s);
   void set_damping(double coefficient) { damper_->set_coefficient(coefficient); }
   double damping() const { return damper_->coefficient(); }
   void set_first_step(double ds) { damper_->set_first_step(ds); }
@@ -111,6 +116,7 @@ class Equilibrium {
  private:
   Forces no_forces() const;
   Forces forces_of(Term* term, const Configuration& at) const;
+  Forces forces_of_fabric(const Configuration& at);
   Evaluation evaluation(const Forces& forces, const Vector& f) const;
   void find_measures();
   void adopt_thickness(const Configuration& at);
@@ -127,6 +133,7 @@ class Equilibrium {
   Diagonal diagonal_;
   Kinematics kinematics_;
   Strain strain_;
+  std::optional<ResidualStiffness> residual_stiffness_;
   std::optional<DeadLoad> dead_load_;
   std::optional<PressureLoad> pressure_load_;
   std::optional<Damper> damper_;

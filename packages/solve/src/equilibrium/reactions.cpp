@@ -93,13 +93,13 @@ ForceBalance balance_of(const Problem& problem, const Layout& layout, const Kine
     sums.add(Sums::damping, damping);
     sums.magnitude() += contact.lpNorm<1>() + load.lpNorm<1>() + damping.lpNorm<1>();
     add_reactions(problem, layout, c, at.position(static_cast<size_t>(c)),
-                  force_on(terms.strain, c) - damping - load - contact, sums);
+                  force_on(terms.fabric, c) - damping - load - contact, sums);
   }
   double moments = std::abs(at.load) * terms.load_moments;
   for (size_t n = 0; n < layout.rotation.size(); ++n) {
     if (layout.node_cluster[n] >= layout.owned_clusters) continue;
-    const double rest[2] = {terms.strain.moment[2 * n] + terms.load.moment[2 * n],
-                            terms.strain.moment[2 * n + 1] + terms.load.moment[2 * n + 1]};
+    const double rest[2] = {terms.fabric.moment[2 * n] + terms.load.moment[2 * n],
+                            terms.fabric.moment[2 * n + 1] + terms.load.moment[2 * n + 1]};
     for (size_t k = 0; k < 2; ++k)
       if (layout.rotation[n][k] < 0) moments += std::abs(rest[k]);
     const int clamp = layout.turned_by.empty() ? -1 : layout.turned_by[n];

@@ -8,7 +8,7 @@ namespace toile::solve {
 
 /// What each term does to the nodes of one rank.
 struct TermForces {
-  Forces strain, load, damping, contact;
+  Forces fabric, load, damping, contact;
   double load_moments = 0.0;  ///< sum of the components of dead moments, N mm
 };
 

@@ -72,7 +72,7 @@ const ElementField table[] = {
     {"cauchy_major", "MPa", "larger principal Cauchy stress", [](const FieldPoint& p, int) { return p.cauchy[0]; }},
     {"cauchy_minor", "MPa",
      "smaller principal Cauchy stress; negative: the fabric would wrinkle (with `compression` = tension field it does, "
-     "and what is left is its residual stiffness)",
+     "and this is not negative)",
      [](const FieldPoint& p, int) { return p.cauchy[1]; }},
     {"tension_wale", "N/mm", "force per current length along the deformed wales",
      [](const FieldPoint& p, int) {

@@ -48,10 +48,9 @@ double shear_modulus_of(const element::Batch& batch, size_t element) {
   return batch.response->natural_shear_modulus(batch.params + element * stride);
 }
 
-bool is_lost(const material::Ellipticity& value, double shear_modulus, double residual) {
-  // Measured over the laws and states of the tests, the eigenvalues of wrinkles lie above -4 residual stiffnesses.
-  constexpr double of_wrinkles = 10.0, round_off = 1e-9;
-  return value.smallest < -(of_wrinkles * residual + round_off) * shear_modulus && value.is_lost(round_off);
+bool is_lost(const material::Ellipticity& value, double shear_modulus) {
+  constexpr double round_off = 1e-9;
+  return value.smallest < -round_off * shear_modulus && value.is_lost(round_off);
 }
 
 void set_worst(const Problem& problem, size_t b, size_t element, const std::vector<Vec3>& position,
@@ -88,7 +87,7 @@ void search_block(const Problem& problem, size_t b, const State& state, const st
     const material::Ellipticity value = material::ellipticity(C, S, D);
     if (!value.is_lost()) continue;
     const double modulus = shear_modulus_of(batch, k / points);
-    if (!is_lost(value, modulus, batch.response->residual_stiffness())) continue;
+    if (!is_lost(value, modulus)) continue;
     ++panel.points;
     const double relative = value.smallest / std::max(modulus, std::numeric_limits<double>::min());
     if (relative >= worst) continue;

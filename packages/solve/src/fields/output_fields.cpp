@@ -72,6 +72,8 @@ const GlobalField global_table[] = {
      [](const StepReport& r) { return r.accuracy.residual; }},
     {"undamped_residual", "", "the same without the damping force: how far a damped step is from equilibrium",
      [](const StepReport& r) { return r.accuracy.undamped_residual; }},
+    {"kept_residual", "", "of a stage's end: what the residual stiffness of slack fabric carries, over the same forces",
+     [](const StepReport& r) { return r.accuracy.kept; }},
     {"largest_gap", "mm", "of a node in contact", [](const StepReport& r) { return r.accuracy.gap; }},
     {"negative_pivots", "", "of the tangent: 0 stable; -1 not known",
      [](const StepReport& r) { return static_cast<double>(r.negative_pivots); }},

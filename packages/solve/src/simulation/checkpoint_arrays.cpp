@@ -240,9 +240,9 @@ void each_value(ForceBalance& b, const Use& use) {
 
 template <class Use>
 void each_value(StepReport& r, const Use& use) {
-  for (double* value :
-       {&r.parameter, &r.load, &r.seam, &r.accuracy.residual, &r.accuracy.undamped_residual, &r.accuracy.gap,
-        &r.energy.strain, &r.energy.stabilisation, &r.energy.dissipated, &r.energy.dissipation_ratio, &r.seconds})
+  for (double* value : {&r.parameter, &r.load, &r.seam, &r.accuracy.residual, &r.accuracy.undamped_residual,
+                        &r.accuracy.gap, &r.accuracy.kept, &r.energy.strain, &r.energy.stabilisation,
+                        &r.energy.dissipated, &r.energy.dissipation_ratio, &r.seconds})
     use(*value);
   each_value(r.balance, use);
 }

@@ -137,7 +137,8 @@ StepReport Simulation::Data::accept(double s, const Evaluation& evaluation, bool
   report.cut_backs = tries.cut_backs;
   const double residual = evaluation.imbalance.relative();
   const bool damped = equilibrium->damping() > 0.0;
-  report.accuracy = {residual, damped ? undamped_residual(*equilibrium, *z, s) : residual, evaluation.imbalance.gap};
+  report.accuracy = {residual, damped ? undamped_residual(*equilibrium, *z, s) : residual, evaluation.imbalance.gap,
+                     undamped ? equilibrium->kept_residual(*z, s) : 0.0};
   StepEnergy& energy = report.energy;
   energy.strain = evaluation.strain_energy;
   energy.stabilisation = equilibrium->stabilisation_energy(*z, s);

@@ -113,7 +113,6 @@ struct Simulation::Data : RunSoFar, StageNow {
   void rebuild(const Checkpoint& from);
   bool solve(double s, double least_tolerance = 0.0);
   bool finish();
-  bool creep();
   bool relax();
   bool come_to_rest();
   bool strayed(const State& damped, int taken);

@@ -19,48 +19,16 @@ bool pins_carry(const ForceBalance& balance) {
 // The undamped equilibrium at fixed load, with the contact offset iterated until it agrees with the thickness.
 bool Simulation::Data::finish() {
   constexpr double same_offset = 1e-7;  // mm
-  constexpr int most_rounds = 30;
+  constexpr int most_rounds = 30, rounds_in_place = 2;
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
-    if (!solve(1.0) && !creep()) return false;
-    if (equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0) return true;
+    if (!solve(1.0)) return false;
+    const bool same = equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0;
+    // Again from there: where fabric carries tension the residual stiffness then carries next to nothing.
+    const bool kept = round < rounds_in_place && equilibrium->keep_in_place(*z, 1.0);
+    if (same && !kept) return true;
     equilibrium->retract(*z, 1.0);
   }
-  return false;
-}
-
-// Newton's method came near an equilibrium and goes round in circles there, where slack fabric resists next to nothing:
-// single steps from where it ended, each damped against where it starts, the less the nearer they are. False: they do
-// not get nearer, and the state is as it was.
-bool Simulation::Data::creep() {
-  constexpr double near = 1e-3, arrived = 1e-9;
-  constexpr int circled = 10, most_steps = 150;
-  if (!watch.stopped().empty() || !tries.failed || tries.failed_damping != 0.0) return false;
-  if (tries.failed->iterations < circled) return false;
-  const RCP<Vector> before = z;
-  z = rcp(new Vector(*tries.failed->z, Teuchos::Copy));
-  double left = undamped_residual(*equilibrium, *z, 1.0);
-  double coefficient = fallback_damping(*equilibrium, stage.first_step);
-  NewtonOptions single = options.newton;
-  single.max_iterations = 1;
-  for (int k = 0; k < most_steps && left < near && left > arrived; ++k) {
-    equilibrium->set_damping(coefficient);
-    equilibrium->start_step(*z, 1.0);
-    const Attempt attempt = solve_at(equilibrium, stage, single, *z, 1.0);
-    count(attempt);
-    if (!watch.stopped().empty()) break;
-    const double now = undamped_residual(*equilibrium, *attempt.z, 1.0);
-    if (!(now < near)) break;
-    energies.dissipated += equilibrium->dissipation(*attempt.z, 1.0);
-    z = attempt.z;
-    coefficient *= now < 0.5 * left ? 0.2 : now < left ? 0.7 : 2.0;
-    left = now;
-  }
-  equilibrium->set_damping(0.0);
-  equilibrium->start_step(*z, 1.0);
-  if (left <= arrived && solve(1.0)) return true;
-  z = before;
-  equilibrium->start_step(*z, 1.0);
   return false;
 }
 

@@ -26,9 +26,19 @@ struct Girth {
   double stretch() const { return body / garment; }
 };
 
+/// A sleeve of one panel round the arm, in the body's coordinates, mm (placement "free wrap").
+struct Wrap {
+  std::string panel;
+  body::Vec3 bottom, top;       ///< of the arm's axis, towards the hand and at the shoulder
+  body::Vec3 zero;              ///< where the panel's middle lies, seen from the axis
+  double from = 0.0, to = 0.0;  ///< heights along the axis
+  double radius = 0.0;
+};
+
 /// A pattern beside its body, to be draped onto it.
 struct Dressed {
   pattern::Pattern pattern;       ///< scaled; placed with y up, z to the front, in the body's coordinates otherwise
+  std::vector<Wrap> wraps;        ///< of the panels that do not start where the pattern places them
   std::vector<std::string> hems;  ///< lowest edges of the trunk that nothing is sewn to: "front.edge4"
   std::vector<Girth> girths;      ///< of the trunk from the hem up to the armholes, then of the sleeves
   Girth tightest;                 ///< of them, the one with the largest stretch
@@ -40,8 +50,8 @@ struct Dressed {
 
 /// Places the panels of a garment for the upper body beside a standing body (z up, front towards -y, mm): those of the
 /// trunk flat in front of it and behind it at the height at which their shoulder seams lie on the shoulders, halves of
-/// sleeves in front of the arms and behind them.
-/// Throws InputError for panels that are not placed in space, whole sleeves, a body without what is needed, a pattern
+/// sleeves in front of the arms and behind them, whole sleeves round the arms.
+/// Throws InputError for panels that are not placed in space, a body without what is needed, a pattern
 /// or a sleeve that is far too narrow or too wide (with the scale that would fit), elements that are too long.
 Dressed dress(const pattern::Pattern& pattern, const body::TriangleMesh& body, const Options& options);
 

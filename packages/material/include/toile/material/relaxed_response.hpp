@@ -13,13 +13,13 @@ enum class Relaxation {
 };
 
 /// A law whose energy is relaxed over the wrinkle strain A (Pipkin 1986, 1994; doc/theory.md, "Tension field"):
-///   W*(C) = min over A >= 0 of  W(C + A) + eps/2 (A/2):D0:(A/2),
-/// D0 the law's tangent at C = I and eps the residual stiffness. Where the minimum is at A = 0 the fabric is taut and
-/// the law is as it was, to the last bit. The law is only evaluated at C + A, so that fabric of any compression is
-/// admissible; status, thickness and stress are those of C + A.
+///   W*(C) = min over A >= 0 of  W(C + A).
+/// Where the minimum is at A = 0 the fabric is taut and the law is as it was, to the last bit. The law is only
+/// evaluated at C + A, so that fabric of any compression is admissible; status, thickness and stress are those of
+/// C + A. Slack fabric carries nothing: what keeps it in its place is for the solver (residual_stiffness).
 class RelaxedResponse final : public Response {
  public:
-  /// Keeps a reference to `law`. residual: eps >= 0.
+  /// Keeps a reference to `law`. residual: what residual_stiffness() tells.
   RelaxedResponse(const LawV1& law, Relaxation relaxation, double residual)
       : law_(law), relaxation_(relaxation), residual_(residual) {}
 

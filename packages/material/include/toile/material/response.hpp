@@ -27,9 +27,10 @@ class Response {
 
   /// Whether fabric wrinkles instead of carrying compression. If not, it is taut everywhere.
   virtual bool relaxes() const { return false; }
-  /// The word of parameter "compression" that asks for it, and the residual stiffness of what it relaxes, as a part of
-  /// that of undeformed fabric.
+  /// The word of parameter "compression" that asks for it.
   virtual std::string compression() const { return "full"; }
+  /// What keeps fabric in its place that carries nothing, as a part of the stiffness of undeformed fabric. It is no
+  /// part of evaluate().
   virtual double residual_stiffness() const { return 0.0; }
   /// state [n] and direction [2][n] of the wrinkles' crests in the material frame: a unit vector of the reference,
   /// zero where the fabric is not wrinkled (slack fabric has no direction) or not admissible.

@@ -30,6 +30,9 @@ struct GarmentOnBody {
 class BodyMap {
  public:
   BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options = {});
+  /// To single points of the body with their outward unit normals, which count as vertices.
+  BodyMap(const GarmentOnBody& garment, const std::vector<mesh::Vec3>& points, const std::vector<mesh::Vec3>& normals,
+          const BodyMapOptions& options = {});
 
   /// `nodal`: [node]. Returns [body vertex], unit of `nodal`.
   std::vector<double> map(const std::vector<double>& nodal) const;

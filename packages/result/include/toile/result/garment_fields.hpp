@@ -20,6 +20,9 @@ struct GarmentFields {
   /// [element] true where a support ends: a held node passes the tension on to the body as a line force, so the
   /// pressure there depends on the mesh. Empty: nowhere.
   std::vector<bool> at_support = {};
+  /// [node] number of the plane of symmetry that it is held in: the garment goes on beyond as its mirror image; -1: in
+  /// none. Empty: nowhere.
+  std::vector<int> mirror = {};
 };
 
 }  // namespace toile::result

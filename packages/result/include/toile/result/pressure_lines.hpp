@@ -40,6 +40,7 @@ struct LevelRow {
   std::string panels;            ///< that it cuts
   double height = 0.0;           ///< mm
   bool closed = false;           ///< the section runs round; an open one has no radius
+  bool mirrored = false;         ///< it does so with its mirror image in a plane of symmetry, which the girth holds
   double girth = 0.0;            ///< length of the section, mm
   double pressure_mean = 0.0;    ///< MPa; of layers: what they press on the body together
   double pressure_min = 0.0;     ///< MPa

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,25 @@ struct PressureReport {
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report);
 
+/// What fabric presses on a place of the body.
+struct BodyPressure {
+  double pressure = 0.0, error = 0.0;  ///< MPa; layers are added up
+  std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric lies there
+};
+
+/// [body point of the scene]
+std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                         const solve::StepReport& report);
+
 /// [node] the first of the nodes that a closed seam holds together with it.
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
 
 /// [element] true where some nodes are held by a support and others are not.
 std::vector<bool> elements_at_supports(const solve::Problem& problem);
+
+/// [node] number of the plane of symmetry in which a support holds it, and nodes that are sewn to it; -1: in none. A
+/// support that holds one of x, y and z, and whose nodes all lie at one place of it and do not move along it, holds the
+/// garment as its own mirror image would.
+std::vector<int> mirror_planes(const solve::Problem& problem);
 
 }  // namespace toile::run

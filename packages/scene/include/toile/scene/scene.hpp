@@ -51,14 +51,25 @@ struct Point {
   int node = 0;
 };
 
+/// A place on the body where the pressure of whatever fabric lies there is told.
+struct BodyPoint {
+  std::string title;
+  solve::Vec3 place;                          ///< on the smooth surface, mm
+  solve::Vec3 normal = solve::Vec3::UnitZ();  ///< of unit length, outwards
+};
+
+/// Edge length of the triangles of a body given by a formula, unless the scene says otherwise, mm.
+constexpr double formula_body_size = 5.0;
+
 /// What the scene asks to be written beyond the fields.
 struct Output {
   solve::Vec3 axis_point = solve::Vec3::Zero(), axis_direction = solve::Vec3::UnitZ();
   std::optional<mesh::BentAxis> bent_axis;  ///< instead of both
   int stations = 0;                         ///< of the pressure curve along the axis; 0: none
-  double body_size = 5.0;                   ///< wanted edge length of the body's triangles, mm
+  std::optional<double> body_size;          ///< wanted edge length of the body's triangles, mm
   bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
+  std::vector<BodyPoint> body_points;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;

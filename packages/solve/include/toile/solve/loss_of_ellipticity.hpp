@@ -37,7 +37,7 @@ struct LossOfEllipticity {
 
 /// Looks at the integration points of the whole garment (of shells: at their mid-surface) on the calling rank. Points
 /// that the material does not admit are passed over. A fabric that relaxes has, where it wrinkles, an eigenvalue of
-/// zero, and of the order of its residual stiffness below: that is no loss.
+/// zero: that is no loss.
 LossOfEllipticity find_loss_of_ellipticity(const Problem& problem, const State& state);
 
 }  // namespace toile::solve

@@ -41,6 +41,7 @@ struct Accuracy {
   double residual = 0.0;           ///< relative force residual
   double undamped_residual = 0.0;  ///< the same without the damping force
   double gap = 0.0;                ///< largest violation of contact, mm
+  double kept = 0.0;               ///< relative residual that the residual stiffness of slack fabric carries
 };
 
 /// Energies at an accepted step, N mm.

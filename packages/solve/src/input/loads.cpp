@@ -1,0 +1,146 @@
+// Forces on the garment.
+#include <cmath>
+
+#include "input/read.hpp"
+#include "toile/solve/spec.hpp"
+
+namespace toile::solve {
+
+using base::List;
+using base::Range;
+using base::Spec;
+
+Spec loads_spec() {
+  Spec edge("edge", "Force along an edge that keeps its direction.");
+  edge.word("on", "Name of an edge, for instance front.top.")
+      .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z).");
+  Spec point("point", "Force on each named node that keeps its direction.");
+  point.word("on", "Name of a corner (front.top-left), a place on an edge (front.top@0.5) or an edge.")
+      .reals("force", "N", "Force at load 1 (x, y, z).");
+  Spec moment("edge moment", "Moment along an edge of shells, about an axis that keeps its direction.");
+  moment.word("on", "Name of an edge, for instance front.top.")
+      .reals("moment", "N mm/mm", "Moment per length of the pattern's edge at load 1 (x, y, z).");
+  Spec pressure("pressure", "Pressure that follows the panel: on its current area, along its current normal.");
+  pressure.word("on", "Name of a panel.")
+      .real("pressure", "MPa",
+            "At load 1; positive: towards the side from which the pattern's x and y run counter-clockwise.");
+  Spec weight("weight", "Weight of the fabric. A stage of type load puts it on.");
+  weight.words("on", "Names of panels; {}: all.", base::Texts())
+      .real("area density", "g/m^2", "Mass of the flat fabric per area: a light T-shirt has 150.", base::required,
+            Range::positive())
+      .reals("direction", "", "Where it falls; its length does not count.", base::Reals{0.0, 0.0, -1.0});
+  Spec load("load", "One load.");
+  load.variant("type", "Kind of load.", {edge, point, moment, pressure, weight}, std::string("edge"));
+  return Spec("Loads", "Forces on the garment.").entries(load);
+}
+
+namespace {
+
+/// Length of the pattern's edge that belongs to each of its nodes, mm.
+std::vector<double> nodal_lengths(const mesh::Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<double> lengths(nodes.size(), 0.0);
+  for (size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double half = 0.5 * (mesh.pattern[nodes[i + 1]] - mesh.pattern[nodes[i]]).norm();
+    lengths[i] += half;
+    lengths[i + 1] += half;
+  }
+  return lengths;
+}
+
+/// Of the panel that parameter "on" of the entry calls `name`. Throws base::InputError.
+std::vector<int> blocks_of(const List& entry, const mesh::Mesh& mesh, const std::string& name) {
+  std::vector<int> blocks;
+  for (size_t b = 0; b < mesh.blocks.size(); ++b)
+    if (mesh.panel_of(mesh.blocks[b]).name == name) blocks.push_back(static_cast<int>(b));
+  if (!blocks.empty()) return blocks;
+  base::Texts names;
+  for (const mesh::MeshedPanel& panel : mesh.panels) names.push_back(panel.name);
+  entry.fail("on", "no panel is named \"" + name + "\"" + base::hint(name, names));
+}
+
+/// One for each block of the panel.
+std::vector<FollowerPressure> read_pressure(const List& entry, const mesh::Mesh& mesh) {
+  std::vector<FollowerPressure> pressures;
+  for (const int block : blocks_of(entry, mesh, entry.word("on")))
+    pressures.push_back({entry.name(), block, entry.real("pressure")});
+  return pressures;
+}
+
+/// Integrals of an element's shape functions over the pattern, mm^2. Of a quadrilateral the area varies linearly from
+/// corner to corner, so that those of the triangles at its corners tell it.
+std::vector<double> corner_areas(const std::vector<mesh::Vec2>& corners) {
+  const size_t n = corners.size();
+  std::vector<double> triangle, areas;
+  for (size_t i = 0; i < n; ++i) {
+    const mesh::Vec2 a = corners[(i + 1) % n] - corners[i], b = corners[(i + n - 1) % n] - corners[i];
+    triangle.push_back(0.5 * std::abs(a[0] * b[1] - a[1] * b[0]));
+  }
+  for (size_t i = 0; i < n; ++i)
+    areas.push_back(n == 3 ? triangle[i] / 3.0
+                           : (4.0 * triangle[i] + 2.0 * triangle[(i + 1) % n] + 2.0 * triangle[(i + 3) % n] +
+                              triangle[(i + 2) % n]) /
+                                 18.0);
+  return areas;
+}
+
+NodalLoad read_weight(const List& entry, const mesh::Mesh& mesh) {
+  constexpr double gravity = 9.80665, mm2_in_m2 = 1e6, g_in_kg = 1e3;
+  const Vec3 direction = read_vector(entry, "direction");
+  if (direction.isZero()) entry.fail("direction", "has no length");
+  base::Texts names = entry.words("on");
+  if (names.empty())
+    for (const mesh::MeshedPanel& panel : mesh.panels) names.push_back(panel.name);
+  std::vector<double> area(mesh.nodes(), 0.0);
+  for (const std::string& name : names)
+    for (const int b : blocks_of(entry, mesh, name)) {
+      const mesh::Block& block = mesh.blocks[b];
+      const size_t n = static_cast<size_t>(block.nodes_per_element);
+      for (size_t first = 0; first < block.connectivity.size(); first += n) {
+        std::vector<mesh::Vec2> corners;
+        for (size_t i = 0; i < n; ++i) corners.push_back(mesh.pattern[block.connectivity[first + i]]);
+        const std::vector<double> own = corner_areas(corners);
+        for (size_t i = 0; i < n; ++i) area[block.connectivity[first + i]] += own[i];
+      }
+    }
+  NodalLoad load;
+  load.name = entry.name();
+  load.value = entry.real("area density") * gravity / (g_in_kg * mm2_in_m2) * direction.normalized();
+  for (size_t i = 0; i < area.size(); ++i)
+    if (area[i] > 0.0) {
+      load.nodes.push_back(static_cast<int>(i));
+      load.share.push_back(area[i]);
+    }
+  return load;
+}
+
+NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
+  const std::string& type = entry.word("type");
+  NodalLoad load;
+  load.name = entry.name();
+  load.nodes = read_nodes(entry, mesh, entry.word("on"));
+  load.moment = type == "edge moment";
+  load.value = read_vector(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
+  if (type == "point")
+    load.share.assign(load.nodes.size(), 1.0);
+  else if (load.nodes.size() < 2)
+    entry.fail("on", "\"" + entry.word("on") + "\" is a single node; a load per length needs an edge");
+  else
+    load.share = nodal_lengths(mesh, load.nodes);
+  return load;
+}
+
+}  // namespace
+
+Loads read_loads(const List& list, const mesh::Mesh& mesh) {
+  Loads loads;
+  for (const List& entry : list.entries())
+    if (entry.word("type") == "pressure")
+      for (const FollowerPressure& pressure : read_pressure(entry, mesh)) loads.pressures.push_back(pressure);
+    else if (entry.word("type") == "weight")
+      loads.nodal.push_back(read_weight(entry, mesh));
+    else
+      loads.nodal.push_back(read_nodal_load(entry, mesh));
+  return loads;
+}
+
+}  // namespace toile::solve
