@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "column.hpp"
 #include "exodus.hpp"
 #include "program.hpp"
 
@@ -12,27 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double radius = 60.0, half_width = 85.0;  // mm
-
-/// A closed cylinder about z as an OBJ file, from z = 0 up; `unit`: mm of the file's.
-std::string column(double unit) {
-  constexpr int strips = 72, rings = 41;
-  std::ostringstream obj;
-  for (int r = 0; r < rings; ++r)
-    for (int s = 0; s < strips; ++s) {
-      const double angle = 2.0 * M_PI * s / strips;
-      obj << "v " << radius * std::cos(angle) / unit << ' ' << radius * std::sin(angle) / unit << ' ' << 10.0 * r / unit
-          << '\n';
-    }
-  obj << "v 0 0 0\nv 0 0 " << 10.0 * (rings - 1) / unit << '\n';
-  const auto at = [](int ring, int s) { return ring * strips + s % strips + 1; };
-  for (int s = 0; s < strips; ++s) {
-    for (int r = 0; r + 1 < rings; ++r)
-      obj << "f " << at(r, s) << ' ' << at(r, s + 1) << ' ' << at(r + 1, s + 1) << ' ' << at(r + 1, s) << '\n';
-    obj << "f " << strips * rings + 1 << ' ' << at(0, s + 1) << ' ' << at(0, s) << '\n';
-    obj << "f " << strips * rings + 2 << ' ' << at(rings - 1, s) << ' ' << at(rings - 1, s + 1) << '\n';
-  }
-  return obj.str();
-}
 
 /// A tube of two rectangles, 340 x 120 mm.
 const std::string tube = R"({"pattern": {"panels": {
@@ -46,7 +26,7 @@ const std::string tube = R"({"pattern": {"panels": {
 
 class Dress : public ProgramTest {
  protected:
-  void SetUp() override { write("column.obj", column(1.0)); }
+  void SetUp() override { write("column.obj", column(radius)); }
 
   /// What `toile dress` says of the tube with a text of it replaced, which must be refused.
   std::string refusal(const std::string& from, const std::string& to, const std::string& options) {
@@ -121,7 +101,7 @@ TEST_F(Dress, RefusesWhatCannotBePlaced) {
               HasSubstr("no panel lies behind the trunk"));
   EXPECT_THAT(refusal(R"([{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],)", "", "--hem 140"),
               HasSubstr("back.edge2\" goes up from the hem and no stitch sews it to the trunk"));
-  write("column.obj", column(1000.0));
+  write("column.obj", column(radius, 1000.0));
   EXPECT_THAT(refusal("1000", "1000", "--hem 140"), HasSubstr("1000"));
 }
 

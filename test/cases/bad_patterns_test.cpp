@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/column.hpp"
 #include "app/program.hpp"
 
 namespace toile::test {
@@ -14,26 +15,6 @@ using ::testing::HasSubstr;
 class BadPattern : public ProgramTest {
  protected:
   void SetUp() override { write("column.obj", column(60.0)); }
-
-  /// A closed cylinder about z as an OBJ file, 400 mm high.
-  static std::string column(double radius) {
-    constexpr int strips = 48, rings = 41;
-    std::ostringstream obj;
-    for (int r = 0; r < rings; ++r)
-      for (int s = 0; s < strips; ++s) {
-        const double angle = 2.0 * M_PI * s / strips;
-        obj << "v " << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << ' ' << 10.0 * r << '\n';
-      }
-    obj << "v 0 0 0\nv 0 0 400\n";
-    const auto at = [](int ring, int s) { return ring * strips + s % strips + 1; };
-    for (int s = 0; s < strips; ++s) {
-      for (int r = 0; r + 1 < rings; ++r)
-        obj << "f " << at(r, s) << ' ' << at(r, s + 1) << ' ' << at(r + 1, s + 1) << ' ' << at(r + 1, s) << '\n';
-      obj << "f " << strips * rings + 1 << ' ' << at(0, s + 1) << ' ' << at(0, s) << '\n';
-      obj << "f " << strips * rings + 2 << ' ' << at(rings - 1, s) << ' ' << at(rings - 1, s + 1) << '\n';
-    }
-    return obj.str();
-  }
 
   /// A tube of two rectangles, each `width` mm wide and 120 mm high, in tube.json.
   void write_tube(double width, const std::string& from = "", const std::string& to = "") {

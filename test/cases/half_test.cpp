@@ -69,5 +69,16 @@ TEST_F(Half, HasTheLevelsOfTheWhole) {
   EXPECT_NEAR(std::stod(cells.at(10)), 2.0 * M_PI * 50.0, 0.5);
 }
 
+// A hem that is held at its height is no plane of symmetry: what lies beside it is told to be at a support.
+TEST_F(Half, AHeldHemIsASupport) {
+  std::string scene = half_tube();
+  const std::string height = R"(name="height" type="double" value="25")";
+  scene.replace(scene.find(height), height.size(), R"(name="height" type="double" value="3")");
+  write("scene.xml", scene);
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, ::testing::HasSubstr("half, with its mirror image, at a support"));
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -71,6 +71,25 @@ TEST_P(MembranePatch, AreasAddUp) {
   EXPECT_GT(areas.minCoeff(), 0.0);
 }
 
+// The products of gradients are the energy of the map: of x = F X they sum to |F|^2 A, and of a constant to nothing.
+TEST_P(MembranePatch, GradientProductsAreThoseOfTheMap) {
+  const Arrays arrays = deformed(0.4);
+  const auto n = static_cast<std::size_t>(element_.nodes());
+  std::vector<double> products(n * mesh_.connectivity.size());
+  element_.gradient_products(arrays.batch(), products.data());
+  double energy = 0.0, of_constant = 0.0;
+  for (std::size_t e = 0; e < mesh_.connectivity.size() / n; ++e)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const double product = products[(n * e + i) * n + j];
+        of_constant += product;
+        for (std::size_t c = 0; c < 3; ++c)
+          energy += product * arrays.x[3 * (n * e + i) + c] * arrays.x[3 * (n * e + j) + c];
+      }
+  EXPECT_NEAR(energy, 900.0 * F_.squaredNorm(), 1e-10 * energy);
+  EXPECT_NEAR(of_constant, 0.0, 1e-10);
+}
+
 // Element-wise ("graduated") parameters that are constant give exactly the uniform result, over several chunks.
 TEST_P(MembranePatch, ConstantGraduatedEqualsUniform) {
   const Arrays uniform = random_elements(element_, law_, 150, 3);

@@ -216,6 +216,16 @@ TEST_P(ShellInterface, AreasAddUpAndNameIsFound) {
   EXPECT_GT(areas.minCoeff(), 0.0);
   element_.reference_areas(flat.batch(), areas.data());
   EXPECT_NEAR(areas.sum(), 400.0, 1e-10);
+  const auto n = static_cast<std::size_t>(element_.nodes());
+  std::vector<double> products(n * mesh.connectivity.size());
+  element_.gradient_products(flat.batch(), products.data());
+  double energy = 0.0;  // of x = (1.5 X, Y): |F|^2 A
+  for (std::size_t e = 0; e < mesh.connectivity.size() / n; ++e)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t c = 0; c < 3; ++c)
+          energy += products[(n * e + i) * n + j] * flat.x[5 * (n * e + i) + c] * flat.x[5 * (n * e + j) + c];
+  EXPECT_NEAR(energy, 400.0 * (1.5 * 1.5 + 1.0), 1e-9);
   EXPECT_EQ(find(element_.name()), &element_);
 }
 

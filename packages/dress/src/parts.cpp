@@ -30,22 +30,20 @@ int side_of(const Panel& panel) {
   return box.min().x() > middle ? 1 : box.max().x() < -middle ? -1 : 0;
 }
 
-/// In front of the wearer, or behind.
-bool is_flat(const Panel& panel) {
-  return std::abs(panel.placement->rotation(2, 2)) > 0.9;
+void check_placed(const Panel& panel) {
+  if (panel.placement) return;
+  throw base::InputError("panel \"" + panel.name +
+                         "\" is not placed in space, so that front and back cannot be told from each other; files of "
+                         "Garment-Pattern-Generator and GarmentCode (JSON) place their panels (\"translation\", "
+                         "\"rotation\": y up, z to the front)");
 }
 
-void check_placed(const Panel& panel) {
-  const std::string name = "panel \"" + panel.name + "\"";
-  if (!panel.placement)
-    throw base::InputError(name +
-                           " is not placed in space, so that front and back cannot be told from each other; files of "
-                           "Garment-Pattern-Generator and GarmentCode (JSON) place their panels (\"translation\", "
-                           "\"rotation\": y up, z to the front)");
-  if (is_flat(panel) || side_of(panel) != 0) return;
-  throw base::InputError(name +
-                         " lies across the front of the wearer (its \"rotation\" turns it out of the x-y plane); of "
-                         "the trunk, panels in front of the wearer and behind are dressed");
+void check_flat(const Panel& panel) {
+  if (std::abs(panel.placement->rotation(2, 2)) > 0.9) return;
+  throw base::InputError("panel \"" + panel.name +
+                         "\" lies across the front of the wearer (its \"rotation\" turns it out of the x-y plane); "
+                         "panels in front of the wearer and behind are dressed, and sleeves of one panel, whose own "
+                         "edges are sewn to each other under the arm");
 }
 
 }  // namespace
@@ -103,6 +101,7 @@ std::vector<Part> parts_of(const pattern::Pattern& pattern) {
     const Panel& panel = pattern.panels[p];
     parts.push_back({static_cast<int>(p), 2.0 * depth_of(panel) > lower + upper, side_of(panel)});
     parts.back().whole = parts.back().side != 0 && is_sewn_to_itself(sewing, panel);
+    if (!parts.back().whole) check_flat(panel);
   }
   for (const bool front : {true, false})
     if (std::none_of(parts.begin(), parts.end(),

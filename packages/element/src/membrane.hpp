@@ -39,6 +39,7 @@ class Membrane final : public Element {
   PointTensions tensions(const Batch& batch, const double* map) const override;
   void nodal_areas(const Batch& batch, double* areas) const override;
   void reference_areas(const Batch& batch, double* areas) const override;
+  void gradient_products(const Batch& batch, double* products) const override;
 
  private:
   using Point = MembranePoint<Nodes>;
@@ -297,6 +298,19 @@ void Membrane<Nodes, Points>::reference_areas(const Batch& batch, double* areas)
       for (int i = 0; i < Nodes; ++i) areas[e * Nodes + i] += rule_.N[p][i] * point.area;
     }
   }
+}
+
+template <int Nodes, int Points>
+void Membrane<Nodes, Points>::gradient_products(const Batch& batch, double* products) const {
+  std::fill_n(products, std::ptrdiff_t{batch.n} * Nodes * Nodes, 0.0);
+  for (std::ptrdiff_t e = 0; e < batch.n; ++e, products += Nodes * Nodes)
+    for (int p = 0; p < Points; ++p) {
+      Point point;
+      point.set_reference(batch.pattern + 2 * Nodes * e, rule_.dN[p], rule_.weight[p]);
+      for (int i = 0; i < Nodes; ++i)
+        for (int j = 0; j < Nodes; ++j)
+          products[Nodes * i + j] += point.area * (point.g[i][0] * point.g[j][0] + point.g[i][1] * point.g[j][1]);
+    }
 }
 
 }  // namespace toile::element

@@ -62,6 +62,7 @@ class Shell final : public Element {
   void stabilisation_energy(const Batch& batch, double* energy) const override;
   void nodal_areas(const Batch& batch, double* areas) const override;
   void reference_areas(const Batch& batch, double* areas) const override;
+  void gradient_products(const Batch& batch, double* products) const override;
 
  private:
   static constexpr int dofs = 5 * Nodes;
@@ -398,6 +399,19 @@ void Shell<Nodes, Edges, Points, ShearPoints, Control>::nodal_areas(const Batch&
       const double area = std::sqrt(dot(normal, normal)) * state.shear_point[p].area;
       for (int i = 0; i < Nodes; ++i) areas[e * Nodes + i] += formulation_.shear_rule.N[p][i] * area;
     }
+  }
+}
+
+template <int Nodes, int Edges, int Points, int ShearPoints, class Control>
+void Shell<Nodes, Edges, Points, ShearPoints, Control>::gradient_products(const Batch& batch, double* products) const {
+  std::fill_n(products, std::ptrdiff_t{batch.n} * Nodes * Nodes, 0.0);
+  for (std::ptrdiff_t e = 0; e < batch.n; ++e, products += Nodes * Nodes) {
+    State state;
+    state.set_reference(batch, e, formulation_.rule, formulation_.shear_rule);
+    for (const ReferencePoint<Nodes>& point : state.shear_point)
+      for (int i = 0; i < Nodes; ++i)
+        for (int j = 0; j < Nodes; ++j)
+          products[Nodes * i + j] += point.area * (point.g[0][i] * point.g[0][j] + point.g[1][i] * point.g[1][j]);
   }
 }
 

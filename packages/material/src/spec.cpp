@@ -64,7 +64,7 @@ base::Spec spec_of(const Laws& laws, bool is_fitted) {
               "already, in any other the energy is relaxed over shortening along the two axes.",
               {"full", "slack fibres", "tension field"}, std::string("full"));
   spec.real("residual stiffness", "",
-            "What keeps slack fabric, which carries nothing, where a stage finds it, and the solution unique: a "
+            "What keeps slack fabric, which carries nothing, where a step finds it, and the solution unique: a "
             "stiffness against leaving that place unevenly, as a part of that of the undeformed fabric. Only where "
             "compression is relaxed.",
             1e-4, base::Range{0.0, 0.1, true, false});

@@ -133,7 +133,7 @@ std::string place_text(const solve::Vec3& x) {
 
 /// Nothing if the garment presses nowhere.
 std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const solve::Fields& fields) {
-  const std::vector<bool> at_support = elements_at_supports(scene.problem());
+  const std::vector<bool> at_support = elements_at_supports(scene);
   const mesh::Mesh& mesh = scene.garment().mesh;
   std::vector<bool> told(fields.pressure.size(), true);
   size_t element = 0;

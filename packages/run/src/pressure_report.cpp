@@ -24,12 +24,16 @@ result::Axis axis_of(const scene::Output& output) {
   return axis;
 }
 
-/// The plane of symmetry in which a support holds its nodes: its normal, x, y or z, and where it is along it, mm.
-std::optional<std::pair<int, double>> mirror_plane(const solve::Problem& problem, const solve::Support& support) {
-  constexpr double flat = 1e-6;  // mm
+/// The plane of symmetry in which a support holds its nodes: its normal, x, y or z, and where it is along it, mm. A
+/// section goes on in the mirror image only if the plane runs along the limb: a hem that is held at its height is none.
+std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, const solve::Support& support) {
+  constexpr double flat = 1e-6;  // mm; of the sine of an angle
+  const solve::Problem& problem = scene.problem();
   if (std::count(support.held.begin(), support.held.end(), true) != 1 || support.nodes.size() < 2) return std::nullopt;
   if (!support.axes.empty() || support.turn || support.displacement != solve::Vec3::Zero()) return std::nullopt;
   const auto normal = std::find(support.held.begin(), support.held.end(), true) - support.held.begin();
+  const scene::Output& output = scene.output();
+  if (output.bent_axis || std::abs(output.axis_direction.normalized()[normal]) > flat) return std::nullopt;
   const double place = problem.mesh->placed[support.nodes.front()][normal];
   const bool in_plane = std::all_of(support.nodes.begin(), support.nodes.end(),
                                     [&](int n) { return std::abs(problem.mesh->placed[n][normal] - place) <= flat; });
@@ -39,11 +43,12 @@ std::optional<std::pair<int, double>> mirror_plane(const solve::Problem& problem
 
 }  // namespace
 
-std::vector<int> mirror_planes(const solve::Problem& problem) {
+std::vector<int> mirror_planes(const scene::Scene& scene) {
+  const solve::Problem& problem = scene.problem();
   std::vector<int> plane(static_cast<size_t>(problem.mesh->nodes()), -1);
   std::map<std::pair<int, double>, int> number;
   for (const solve::Support& support : problem.supports)
-    if (const auto found = mirror_plane(problem, support)) {
+    if (const auto found = mirror_plane(scene, support)) {
       const int k = number.try_emplace(*found, static_cast<int>(number.size())).first->second;
       for (const int n : support.nodes) plane[n] = k;
     }
@@ -59,10 +64,11 @@ std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepRepo
   return tied;
 }
 
-std::vector<bool> elements_at_supports(const solve::Problem& problem) {
+std::vector<bool> elements_at_supports(const scene::Scene& scene) {
+  const solve::Problem& problem = scene.problem();
   std::vector<bool> held(static_cast<size_t>(problem.mesh->nodes()), false), at_support;
   for (const solve::Support& support : problem.supports)
-    if (!mirror_plane(problem, support))
+    if (!mirror_plane(scene, support))
       for (const int n : support.nodes) held[n] = true;
   for (const mesh::Block& block : problem.mesh->blocks) {
     const int per = block.nodes_per_element;
@@ -108,8 +114,8 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
                                       fields.pressure_error,
                                       fields.tension,
                                       solve::named(solve::element_fields(fields), "cauchy_minor").values,
-                                      elements_at_supports(scene.problem()),
-                                      mirror_planes(scene.problem())};
+                                      elements_at_supports(scene),
+                                      mirror_planes(scene)};
   const result::Axis axis = axis_of(output);
   std::vector<result::Level> levels;
   for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});

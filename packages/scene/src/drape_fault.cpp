@@ -93,8 +93,8 @@ double mean_gap(const mesh::Mesh& mesh, const body::Surface& body, double touchi
 std::string too_large(double gap, double distance) {
   return "the garment touches the body nowhere: once draped it is " + short_number(gap) +
          " mm away on average, as if it were " + short_number(2.0 * M_PI * (gap - distance)) +
-         " mm wider round than the body. It would press nowhere, and nothing holds a loose garment in shape (there are "
-         "no \"Loads\"), so that it would not come to rest. Check the unit and the size of the pattern and of the "
+         " mm wider round than the body. It would press nowhere, and there are no \"Loads\" that it would carry. Check "
+         "the unit and the size of the pattern and of the "
          "body, and whether the panels start round the part of the body that is meant" +
          look;
 }

@@ -95,10 +95,6 @@ bool moves_as_one(const solve::Support& support) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 /// Onto the smooth surface, from a point of the body's own triangles or near it.
 BodyPoint read_body_point(const base::List& entry, const body::Surface* surface) {
   constexpr double near = 20.0;  // mm

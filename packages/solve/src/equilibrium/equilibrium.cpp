@@ -35,7 +35,7 @@ Equilibrium::Equilibrium(const Problem& problem, const State& start, const Held&
   terms_.push_back(&strain_);
   const Configuration placed = kinematics_.at(*start_vector(), 0.0);
   if (ResidualStiffness::is_in(problem))
-    terms_.push_back(&residual_stiffness_.emplace(problem, layout_, *graph_, placed));
+    terms_.push_back(&residual_stiffness_.emplace(problem, layout_, *graph_, strain_, placed));
   if (!problem.loads.empty()) terms_.push_back(&dead_load_.emplace(problem, layout_, kinematics_));
   if (!problem.pressures.empty()) terms_.push_back(&pressure_load_.emplace(problem, layout_, *graph_));
   terms_.push_back(&damper_.emplace(layout_, diagonal_, strain_.reference_areas()));

@@ -1,7 +1,6 @@
 // Forces on the garment.
-#include <cmath>
-
 #include "input/read.hpp"
+#include "terms/pattern_areas.hpp"
 #include "toile/solve/spec.hpp"
 
 namespace toile::solve {
@@ -66,23 +65,6 @@ std::vector<FollowerPressure> read_pressure(const List& entry, const mesh::Mesh&
   return pressures;
 }
 
-/// Integrals of an element's shape functions over the pattern, mm^2. Of a quadrilateral the area varies linearly from
-/// corner to corner, so that those of the triangles at its corners tell it.
-std::vector<double> corner_areas(const std::vector<mesh::Vec2>& corners) {
-  const size_t n = corners.size();
-  std::vector<double> triangle, areas;
-  for (size_t i = 0; i < n; ++i) {
-    const mesh::Vec2 a = corners[(i + 1) % n] - corners[i], b = corners[(i + n - 1) % n] - corners[i];
-    triangle.push_back(0.5 * std::abs(a[0] * b[1] - a[1] * b[0]));
-  }
-  for (size_t i = 0; i < n; ++i)
-    areas.push_back(n == 3 ? triangle[i] / 3.0
-                           : (4.0 * triangle[i] + 2.0 * triangle[(i + 1) % n] + 2.0 * triangle[(i + 3) % n] +
-                              triangle[(i + 2) % n]) /
-                                 18.0);
-  return areas;
-}
-
 NodalLoad read_weight(const List& entry, const mesh::Mesh& mesh) {
   constexpr double gravity = 9.80665, mm2_in_m2 = 1e6, g_in_kg = 1e3;
   const Vec3 direction = read_vector(entry, "direction");
@@ -94,13 +76,8 @@ NodalLoad read_weight(const List& entry, const mesh::Mesh& mesh) {
   for (const std::string& name : names)
     for (const int b : blocks_of(entry, mesh, name)) {
       const mesh::Block& block = mesh.blocks[b];
-      const size_t n = static_cast<size_t>(block.nodes_per_element);
-      for (size_t first = 0; first < block.connectivity.size(); first += n) {
-        std::vector<mesh::Vec2> corners;
-        for (size_t i = 0; i < n; ++i) corners.push_back(mesh.pattern[block.connectivity[first + i]]);
-        const std::vector<double> own = corner_areas(corners);
-        for (size_t i = 0; i < n; ++i) area[block.connectivity[first + i]] += own[i];
-      }
+      const std::vector<double> own = pattern_areas(mesh, block);
+      for (size_t i = 0; i < own.size(); ++i) area[block.connectivity[i]] += own[i];
     }
   NodalLoad load;
   load.name = entry.name();

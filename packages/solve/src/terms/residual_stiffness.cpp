@@ -1,45 +1,14 @@
 #include "terms/residual_stiffness.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "terms/pattern_areas.hpp"
 
 namespace toile::solve {
 
 namespace {
-
-using mesh::Vec2;
-using Slopes = Eigen::Matrix<double, 2, Eigen::Dynamic>;  // of the shape functions
-using Square = Eigen::MatrixXd;
-
-/// Adds weight times grad N_i . grad N_j, given the slopes of the shape functions in the element's own coordinates.
-void add_point(const std::vector<Vec2>& corners, const Slopes& slopes, double weight, Square& sum) {
-  Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
-  for (size_t i = 0; i < corners.size(); ++i)
-    J += slopes.col(static_cast<Eigen::Index>(i)) * Eigen::RowVector2d(corners[i][0], corners[i][1]);
-  const Slopes gradient = J.inverse() * slopes;
-  sum += weight * std::abs(J.determinant()) * gradient.transpose() * gradient;
-}
-
-/// Integral of grad N_i . grad N_j over the triangle or quadrilateral.
-Square laplacian(const std::vector<Vec2>& corners) {
-  const auto n = static_cast<Eigen::Index>(corners.size());
-  Square sum = Square::Zero(n, n);
-  Slopes slopes(2, n);
-  if (n == 3) {
-    slopes << -1, 1, 0, -1, 0, 1;
-    add_point(corners, slopes, 0.5, sum);
-    return sum;
-  }
-  const double a = 1.0 / std::sqrt(3.0);
-  for (const double r : {-a, a})
-    for (const double s : {-a, a}) {
-      slopes << -(1 - s), 1 - s, 1 + s, -(1 + s), -(1 - r), -(1 + r), 1 + r, 1 - r;
-      add_point(corners, 0.25 * slopes, 1.0, sum);
-    }
-  return sum;
-}
 
 /// Mean of D11 and D22 in the natural state, MPa.
 double natural_stiffness(const material::Response& response, const std::vector<double>& params) {
@@ -48,19 +17,6 @@ double natural_stiffness(const material::Response& response, const std::vector<d
   std::uint8_t status;
   response.evaluate(1, C, params.data(), 0, &W, S, D, &thickness_stretch, &status);
   return 0.5 * (D[0] + D[1]);
-}
-
-/// Of the block's pattern, mm^2.
-double area_of(const mesh::Mesh& mesh, const mesh::Block& block) {
-  const size_t n = static_cast<size_t>(block.nodes_per_element);
-  double twice = 0.0;
-  for (size_t first = 0; first < block.connectivity.size(); first += n)
-    for (size_t i = 0; i < n; ++i) {
-      const Vec2& a = mesh.pattern[block.connectivity[first + i]];
-      const Vec2& b = mesh.pattern[block.connectivity[first + (i + 1) % n]];
-      twice += a[0] * b[1] - a[1] * b[0];
-    }
-  return 0.5 * std::abs(twice);
 }
 
 bool has_some(const BlockModel& model) {
@@ -74,28 +30,33 @@ bool ResidualStiffness::is_in(const Problem& problem) {
 }
 
 ResidualStiffness::ResidualStiffness(const Problem& problem, const Layout& layout, const Graph& graph,
-                                     const Configuration& start)
+                                     const Strain& strain, const Configuration& start)
     : layout_(layout), start_(start.x) {
-  for (const Layout::BlockPart& local : layout.blocks) {
+  for (size_t b = 0; b < layout.blocks.size(); ++b) {
+    const Layout::BlockPart& local = layout.blocks[b];
     const BlockModel& model = problem.models[local.block];
     if (!has_some(model)) continue;
     const material::Material& fabric = *model.material;
     const mesh::Block& block = problem.mesh->blocks[local.block];
     // A shell resists by its bending, which is softer than stretching by that much.
+    const std::vector<double> areas = pattern_areas(*problem.mesh, block);
     const double softer =
-        model.is_shell() ? fabric.thickness() * fabric.thickness() / area_of(*problem.mesh, block) : 1.0;
+        model.is_shell() ? fabric.thickness() * fabric.thickness() / std::accumulate(areas.begin(), areas.end(), 0.0)
+                         : 1.0;
     const auto factor = [&](const std::vector<double>& params) {
       return fabric.response().residual_stiffness() * softer * fabric.thickness() *
              natural_stiffness(fabric.response(), params);
     };
     const double even = fabric.graduated() ? 0.0 : factor(fabric.params());
-    Part part{&local, static_cast<size_t>(block.nodes_per_element), Stencils(layout, local, graph, false), {}, {}};
-    for (const int e : local.elements) {
-      std::vector<Vec2> corners;
-      for (size_t i = 0; i < part.nodes; ++i)
-        corners.push_back(problem.mesh->pattern[block.connectivity[static_cast<size_t>(e) * part.nodes + i]]);
-      const Square K = (fabric.graduated() ? factor(fabric.params_at(block.position[e])) : even) * laplacian(corners);
-      part.stiffness.insert(part.stiffness.end(), K.data(), K.data() + K.size());
+    Part part{&local,
+              static_cast<size_t>(block.nodes_per_element),
+              Stencils(layout, local, graph, false),
+              strain.gradient_products(b),
+              {}};
+    const size_t square = part.nodes * part.nodes;
+    for (size_t e = 0; e < local.elements.size(); ++e) {
+      const double here = fabric.graduated() ? factor(fabric.params_at(block.position[local.elements[e]])) : even;
+      for (size_t k = 0; k < square; ++k) part.stiffness[square * e + k] *= here;
     }
     parts_.push_back(std::move(part));
   }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "equilibrium/stencils.hpp"
-#include "terms/term.hpp"
+#include "terms/strain.hpp"
 
 namespace toile::solve {
 
@@ -18,7 +18,8 @@ class ResidualStiffness : public Term {
   static bool is_in(const Problem& problem);
 
   /// `start`: of the first step.
-  ResidualStiffness(const Problem& problem, const Layout& layout, const Graph& graph, const Configuration& start);
+  ResidualStiffness(const Problem& problem, const Layout& layout, const Graph& graph, const Strain& strain,
+                    const Configuration& start);
 
   void add(const Configuration& at, Forces& forces, double* tangent) override;
   double potential(const Configuration& at, const Configuration& held) override;

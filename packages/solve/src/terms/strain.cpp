@@ -196,6 +196,14 @@ double Strain::stabilisation_energy(const Configuration& at) {
   return sum;
 }
 
+std::vector<double> Strain::gradient_products(size_t part) const {
+  const Part& of = parts_[part];
+  const size_t n = of.layout->elements.size();
+  std::vector<double> products(n * static_cast<size_t>(of.nodes * of.nodes));
+  if (n > 0) of.element->gradient_products(batch(of, 0, static_cast<int>(n)), products.data());
+  return products;
+}
+
 std::vector<double> Strain::reference_areas() const {
   std::vector<double> areas(layout_.nodes.size(), 0.0);
   for (const Part& part : parts_) {

@@ -30,6 +30,9 @@ class Strain : public Term {
 
   /// Part of the energy that only stabilises reduced elements, N mm, of the elements owned by this rank.
   double stabilisation_energy(const Configuration& at);
+  /// Integrals of grad N_I . grad N_J over the reference of the local elements of a part of the layout:
+  /// [element][node][node].
+  std::vector<double> gradient_products(size_t part) const;
   /// Reference area (mm^2) that belongs to each local node; complete for nodes of owned clusters.
   std::vector<double> reference_areas() const;
   /// Thickness (mm) averaged over the current area around each local node; complete for nodes of owned clusters.

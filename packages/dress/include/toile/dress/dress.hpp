@@ -51,8 +51,8 @@ struct Dressed {
 /// Places the panels of a garment for the upper body beside a standing body (z up, front towards -y, mm): those of the
 /// trunk flat in front of it and behind it at the height at which their shoulder seams lie on the shoulders, halves of
 /// sleeves in front of the arms and behind them, whole sleeves round the arms.
-/// Throws InputError for panels that are not placed in space, a body without what is needed, a pattern
-/// or a sleeve that is far too narrow or too wide (with the scale that would fit), elements that are too long.
+/// Throws InputError for panels that are not placed in space, a body without what is needed, a pattern or a sleeve that
+/// is far too narrow or too wide (with the scale that would fit), elements that are too long.
 Dressed dress(const pattern::Pattern& pattern, const body::TriangleMesh& body, const Options& options);
 
 /// What the scene of a dressed body names.

@@ -90,6 +90,8 @@ class Element {
   virtual void nodal_areas(const Batch& batch, double* areas) const = 0;
   /// The same over the reference (pattern) area, mm^2; also tells the lumped M* of the damping.
   virtual void reference_areas(const Batch& batch, double* areas) const = 0;
+  /// Integrals of grad N_I . grad N_J over the reference: [n][nodes][nodes], without a unit.
+  virtual void gradient_products(const Batch& batch, double* products) const = 0;
 };
 
 /// The formulation named `name` (see registry()), or null.

@@ -32,12 +32,12 @@ std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve:
 /// [node] the first of the nodes that a closed seam holds together with it.
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
 
-/// [element] true where some nodes are held by a support and others are not.
-std::vector<bool> elements_at_supports(const solve::Problem& problem);
+/// [element] true where some nodes are held by a support, not in a plane of symmetry, and others are not.
+std::vector<bool> elements_at_supports(const scene::Scene& scene);
 
 /// [node] number of the plane of symmetry in which a support holds it, and nodes that are sewn to it; -1: in none. A
-/// support that holds one of x, y and z, and whose nodes all lie at one place of it and do not move along it, holds the
-/// garment as its own mirror image would.
-std::vector<int> mirror_planes(const solve::Problem& problem);
+/// support that holds one of x, y and z across the axis of heights, and whose nodes all lie at one place of it and do
+/// not move along it, holds the garment as its own mirror image would.
+std::vector<int> mirror_planes(const scene::Scene& scene);
 
 }  // namespace toile::run
