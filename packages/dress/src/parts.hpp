@@ -40,7 +40,8 @@ class Sewing {
   std::map<std::string, std::set<std::string>> partners_;
 };
 
-/// Throws InputError for panels other than whole sleeves that lie neither in front of the wearer nor behind, or nowhere.
+/// Throws InputError for panels other than whole sleeves that lie neither in front of the wearer nor behind, or
+/// nowhere.
 std::vector<Part> parts_of(const pattern::Pattern& pattern);
 
 /// Name of the part of the garment: "trunk", "left sleeve", "right sleeve".
