@@ -5,6 +5,7 @@
 
 #include "panels.hpp"
 #include "recorded.hpp"
+#include "slack_panel.hpp"
 #include "stages.hpp"
 
 namespace toile::test {
@@ -97,6 +98,18 @@ TEST(Checkpoint, ShellsGoOnWithTheSameBits) {
   EXPECT_GT(run_from_each_step(panel.problem, placed_state(panel.problem),
                                {rest, named("until", until), named("turn", turn), named("arc", arc)}),
             10);
+}
+
+// Slack fabric that is drawn aside, pulled taut along a diagonal and let go goes on with the same bits: each step
+// starts from where the fabric lay, and the final state is found from itself.
+TEST(Checkpoint, FabricThatWrinklesGoesOnWithTheSameBits) {
+  Panels panels = slack_panel();
+  panels.problem.supports[1].displacement = {3.0, 4.0, 2.0};
+  StageOptions pull = stage("load"), rest = stage("settle");
+  pull.first_step = pull.largest_step = 0.25;
+  rest.released = {panels.problem.supports[1].name};
+  EXPECT_GT(
+      run_from_each_step(panels.problem, placed_state(panels.problem), {named("pull", pull), named("rest", rest)}), 4);
 }
 
 // A checkpoint is refused for another garment, and for another stage.

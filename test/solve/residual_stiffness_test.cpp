@@ -7,20 +7,11 @@
 #include "equilibrium/equilibrium.hpp"
 #include "panels.hpp"
 #include "recorded.hpp"
+#include "slack_panel.hpp"
 #include "stages.hpp"
-#include "toile/material/relaxed_response.hpp"
 
 namespace toile::test {
 namespace {
-
-constexpr double C10 = 8.4667e-3, thickness = 0.7, residual = 1e-3;
-
-std::shared_ptr<material::Material> tension_field() {
-  const material::LawV1& law = *material::find("neo-hookean");
-  return std::make_shared<material::Material>(
-      law, std::vector<double>{C10}, thickness,
-      std::make_shared<material::RelaxedResponse>(law, material::Relaxation::tension_field, residual));
-}
 
 /// Cuts each quadrilateral of the panel into two triangles.
 void cut(Panels& panels) {
@@ -35,15 +26,6 @@ void cut(Panels& panels) {
   block = triangles;
   panels.problem.models.front().element = element::find("membrane3");
   panels.problem.element_rank.front().assign(triangles.wale_angle.size(), 0);
-}
-
-/// A panel whose sides are held nearer to each other than the fabric is wide.
-Panels slack_panel() {
-  Panels panels(tension_field());
-  panels.add(solve::Vec3(3.0, 5.0, 7.0), 0.7 * solve::Vec3::UnitX(), 0.8 * solve::Vec3::UnitY(), 0);
-  panels.hold(0, 0);
-  panels.hold(0, Panels::across);
-  return panels;
 }
 
 // Slack fabric stays where it is placed, without a force, and that is stable.
@@ -71,7 +53,8 @@ TEST(ResidualStiffness, ResistsUnevenMotion) {
     solve::StageOptions whole = stage("load");
     whole.first_step = whole.largest_step = 1.0;
     run.simulation.run(whole);
-    const double stiffness = residual * 8.0 * C10 * thickness * Panels::along / Panels::across;
+    const double stiffness =
+        slack_fabric::residual * 8.0 * slack_fabric::C10 * slack_fabric::thickness * Panels::along / Panels::across;
     const solve::StepReport& step = run.reports[run.reports.size() - 2];
     EXPECT_EQ(step.load, 1.0);
     EXPECT_LT((step.balance.support[1] - stiffness * way).norm(), 1e-9 * stiffness * way.norm());
