@@ -129,9 +129,7 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
     : garment_(garment), axis_(axis), surface_(triangulate(*garment.mesh, garment.position)) {
   axis_.direction.normalize();
   pressure_ = at_vertices(*garment.mesh, garment.pressure);
-  error_ = garment.pressure_error.empty()
-               ? std::vector<double>(pressure_.size(), std::numeric_limits<double>::quiet_NaN())
-               : at_vertices(*garment.mesh, garment.pressure_error);
+  for (const PressureError& part : garment.pressure_errors) errors_.push_back(at_vertices(*garment.mesh, part.values));
   find_neighbours();
   tied_.resize(surface_.mesh.vertices.size());
   std::iota(tied_.begin(), tied_.end(), 0);
@@ -260,7 +258,7 @@ mesh::Vec2 Cutter::add_point(Segment& segment, std::size_t k, int from, int to,
   const double t = above[a] / (above[a] - above[b]);
   segment.point[k] = (1.0 - t) * surface_.mesh.vertices[a] + t * surface_.mesh.vertices[b];
   segment.pressure[k] = (1.0 - t) * pressure_[a] + t * pressure_[b];
-  segment.error[k] = (1.0 - t) * error_[a] + t * error_[b];
+  for (const std::vector<double>& part : errors_) segment.errors[k].push_back((1.0 - t) * part[a] + t * part[b]);
   return ((1.0 - t) * pattern_[a] + t * pattern_[b]).head<2>();
 }
 
@@ -275,7 +273,8 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   const auto e = static_cast<std::size_t>(segment.element);
   const mesh::Vec2 middle = 0.5 * (first + second), off = middle - centre_[e];
   const double missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
-  for (double& error : segment.error) error += missed;
+  for (std::vector<double>& errors : segment.errors)
+    if (!errors.empty()) errors.front() += missed;
   const Vec3 tangent = segment.step().normalized();  // zero for a point
   segment.tension = tangent.dot(garment_.tension[e] * tangent);
   const double here = tension_across(e, axis);

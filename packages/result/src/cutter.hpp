@@ -11,9 +11,9 @@ namespace toile::result {
 /// Part of a section inside one triangle.
 struct Segment {
   std::array<mesh::Vec3, 2> point;
-  std::array<double, 2> pressure;  ///< MPa
-  std::array<double, 2> error;     ///< MPa
-  double tension;                  ///< along it, N/mm
+  std::array<double, 2> pressure;             ///< MPa
+  std::array<std::vector<double>, 2> errors;  ///< [part] MPa
+  double tension;                             ///< along it, N/mm
   int element;
   int block;
 
@@ -79,7 +79,7 @@ class Cutter {
   std::vector<int> tied_;                           ///< [vertex]
   std::vector<int> mirror_;                         ///< [vertex]
   std::vector<double> pressure_;                    ///< [vertex]
-  std::vector<double> error_;                       ///< [vertex]
+  std::vector<std::vector<double>> errors_;         ///< [part][vertex]
   std::vector<mesh::Vec2> centre_;                  ///< [element] in the pattern, mm
   std::vector<mesh::Vec3> normal_;                  ///< [element] of any length
   std::vector<std::vector<std::size_t>> corners_;   ///< [element] nodes

@@ -17,6 +17,8 @@ void drop_round_off(double magnitude, solve::Fields* fields) {
   if (pressed > noise * magnitude) return;
   for (std::vector<double>* field : {&fields->pressure, &fields->pressure_error, &fields->contact_force})
     std::fill(field->begin(), field->end(), 0.0);
+  for (const solve::ErrorPart& part : solve::error_parts())
+    std::fill((fields->errors.*part.values).begin(), (fields->errors.*part.values).end(), 0.0);
   fields->isolated_contacts = 0;
   fields->contacts_off_surface = 0;
 }
@@ -37,7 +39,8 @@ const solve::StepReport& Record::last() const {
 
 std::shared_ptr<const solve::Fields> Record::shared_fields() const {
   if (fields_ == nullptr) {
-    auto fields = std::make_shared<solve::Fields>(solve::compute_fields(scene_.problem(), state_));
+    auto fields = std::make_shared<solve::Fields>(
+        solve::compute_fields(scene_.problem(), state_, reports_.empty() ? solve::Accuracy() : last().accuracy));
     if (!reports_.empty()) drop_round_off(last().balance.magnitude, fields.get());
     fields_ = std::move(fields);
   }

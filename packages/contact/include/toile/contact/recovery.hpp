@@ -36,6 +36,7 @@ struct FabricElement {
 struct ContactCluster {
   Vec3 position = Vec3::Zero();  ///< mm
   body::SurfacePoint surface;    ///< of the body, seen from there
+  Mat3 doubt = Mat3::Zero();     ///< of the surface's second derivatives (body::SurfaceDoubt), 1/mm
   double offset = 0.0;           ///< contact surface inside the mid-surface, mm
   double area = 0.0;             ///< current mid-surface area that belongs to it, mm^2
   double force = 0.0;            ///< of contact, N
@@ -62,7 +63,8 @@ struct FabricInContact {
 /// Pressure of a site, per current mid-surface area.
 struct SitePressure {
   double pressure = 0.0;  ///< MPa, never negative
-  double error = 0.0;     ///< estimate of its error, MPa
+  double error = 0.0;     ///< estimate of its error by the mesh, MPa
+  double of_body = 0.0;   ///< estimate of its error by the shape of the body: tension x doubt of its curvature, MPa
 };
 
 struct Recovery {
