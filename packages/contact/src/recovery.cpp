@@ -56,7 +56,7 @@ class Recoverer {
   const std::vector<int>* wide_patch(int site);
   std::optional<SitePressure> fitted(int site);
   double load(int site) const;
-  double of_body(int site);
+  double body_change(int site);
   void average(double SitePressure::*error);
   double relative_error() const;
 
@@ -200,12 +200,14 @@ std::optional<SitePressure> Recoverer::fitted(int site) {
   return SitePressure{best - load(site), std::abs(best - linear) + std::abs(laid - linear)};
 }
 
-/// The pressure is linear in the curvature.
-double Recoverer::of_body(int site) {
+/// Tension x doubt of the curvature, and of a body that is wider by d: stiffness x d k^2 with its curvature k.
+double Recoverer::body_change(int site) {
   ContactCluster doubtful = cluster(site);
-  if (doubtful.doubt.isZero()) return 0.0;
-  doubtful.surface.hessian = doubtful.doubt;
-  return std::abs(fitted_pressure(fabric_, patches_.around(site, 0), doubtful, Tension::of_facet, 0).value_or(0.0));
+  const double wider = -doubtful.doubt.gap * doubtful.surface.hessian.squaredNorm();
+  if (doubtful.doubt.hessian.isZero()) return 0.0;
+  doubtful.surface.hessian = doubtful.doubt.hessian;
+  const auto curved = fitted_pressure(fabric_, patches_.around(site, 0), doubtful, Tension::of_facet, 0);
+  return curved.value_or(0.0) + fabric_.stiffness * wider;
 }
 
 /// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
@@ -284,7 +286,7 @@ Recovery Recoverer::run() {
     unknown[s] = !found || std::isinf(found->error);
     out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
     if (unknown[s]) out_.site[s].error = 0.0;
-    if (found) out_.site[s].of_body = of_body(site);
+    if (found) out_.site[s].of_body = out_.site[s].body_change = body_change(site);
     if (!found || place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;

@@ -190,7 +190,8 @@ double Cutter::tension_across(std::size_t element, const Vec3& axis) const {
 
 double Cutter::missed_between_rows(std::size_t element, const mesh::Vec2& place, double pressure,
                                    const std::vector<double>& above) const {
-  std::array<double, 2> largest{};  // below, above
+  const auto larger = [](double x, double y) { return std::abs(x) < std::abs(y) ? y : x; };
+  std::array<double, 2> missed{};  // below, above
   std::array<bool, 2> known{};
   for (const Neighbour& other : neighbours_[element]) {
     double height = 0.0, mean = 0.0;
@@ -200,11 +201,12 @@ double Cutter::missed_between_rows(std::size_t element, const mesh::Vec2& place,
     }
     const std::size_t side = height > 0.0 ? 1 : 0;
     const double foretold = mean + slope_[other.element].dot(place - centre_[other.element]);
-    largest[side] = std::max(largest[side], std::abs(foretold - pressure));
+    missed[side] = larger(missed[side], foretold - pressure);
     known[side] = true;
   }
-  const double nearer = known[0] && known[1] ? std::min(largest[0], largest[1]) : (known[0] ? largest[0] : largest[1]);
-  return 0.75 * nearer;
+  const bool both = known[0] && known[1], upper_is_nearer = larger(missed[1], missed[0]) == missed[0];
+  const std::size_t nearer = both ? (upper_is_nearer ? 1 : 0) : (known[0] ? 0 : 1);
+  return 0.75 * missed[nearer];
 }
 
 AxisPlace Cutter::place(double height) const {
@@ -272,9 +274,7 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   const mesh::Vec2 second = add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
   const auto e = static_cast<std::size_t>(segment.element);
   const mesh::Vec2 middle = 0.5 * (first + second), off = middle - centre_[e];
-  const double missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
-  for (std::vector<double>& errors : segment.errors)
-    if (!errors.empty()) errors.front() += missed;
+  segment.missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
   const Vec3 tangent = segment.step().normalized();  // zero for a point
   segment.tension = tangent.dot(garment_.tension[e] * tangent);
   const double here = tension_across(e, axis);

@@ -13,6 +13,7 @@ struct Segment {
   std::array<mesh::Vec3, 2> point;
   std::array<double, 2> pressure;             ///< MPa
   std::array<std::vector<double>, 2> errors;  ///< [part] MPa
+  double missed;                              ///< error of the pressure between two rows of nodes, with its sign, MPa
   double tension;                             ///< along it, N/mm
   int element;
   int block;
@@ -62,10 +63,10 @@ class Cutter {
 
   /// Fills centre_, normal_, slope_, neighbours_ and pattern_.
   void find_neighbours();
-  /// What the line between two rows of nodes may miss of the pressure in its middle, which lies at `place` of the
-  /// pattern, MPa: what the pressure on either side foretells there, of the side that is nearer. Where the pressure
-  /// bends in one place between the rows this is the error itself, where it is smooth up to four times of it; three
-  /// quarters of it serve for both.
+  /// What the line between two rows of nodes may miss of the pressure in its middle, with its sign, which lies at
+  /// `place` of the pattern, MPa: what the pressure on either side foretells there, of the side that is nearer. Where
+  /// the pressure bends in one place between the rows this is the error itself, where it is smooth up to four times of
+  /// it; three quarters of it serve for both.
   double missed_between_rows(std::size_t element, const mesh::Vec2& place, double pressure,
                              const std::vector<double>& above) const;
   /// Of an element, in its plane across the axis, N/mm.

@@ -84,7 +84,9 @@ Section sum_of(const std::vector<const Section*>& layers) {
           segment.errors[k][part] += at({there.segment->errors[0][part], there.segment->errors[1][part]}, there.share);
       }
       const Beside there = beside(*layer, segment.middle(), tangent);
-      if (there.segment != nullptr) segment.tension += there.segment->tension;
+      if (there.segment == nullptr) continue;
+      segment.tension += there.segment->tension;
+      segment.missed += there.segment->missed;
     }
   }
   return sum;

@@ -35,6 +35,7 @@ LevelRow row_of(const Section& section, const GarmentFields& garment) {
   row.pressure_min = std::numeric_limits<double>::infinity();
   row.pressure_max = -row.pressure_min;
   row.smallest_stress = row.pressure_min;
+  double missed = 0.0;
   row.error_parts.assign(garment.pressure_errors.size(), 0.0);
   for (const Segment& segment : section.segments) {
     const double share = segment.length() / length;
@@ -43,12 +44,15 @@ LevelRow row_of(const Section& section, const GarmentFields& garment) {
     row.pressure_mean += 0.5 * share * (low + high);
     for (std::size_t part = 0; part < row.error_parts.size(); ++part)
       row.error_parts[part] += 0.5 * share * (segment.errors[0][part] + segment.errors[1][part]);
+    missed += share * segment.missed;
     row.hoop_tension += share * segment.tension;
     row.pressure_min = std::min(row.pressure_min, low);
     row.pressure_max = std::max(row.pressure_max, high);
     row.at_support = row.at_support || (!garment.at_support.empty() && garment.at_support[element]);
     row.smallest_stress = std::min(row.smallest_stress, garment.smallest_stress[element]);
   }
+  for (double& part : row.error_parts) part = std::abs(part);
+  if (!row.error_parts.empty()) row.error_parts.front() += std::abs(missed);
   const double squares =
       std::inner_product(row.error_parts.begin(), row.error_parts.end(), row.error_parts.begin(), 0.0);
   row.pressure_error = row.error_parts.empty() ? none : std::sqrt(squares);

@@ -133,8 +133,10 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
                                 solve::named(solve::element_fields(fields), "cauchy_minor").values,
                                 elements_at_supports(scene),
                                 mirror_planes(scene)};
-  for (const solve::ErrorPart& part : solve::error_parts())
-    garment.pressure_errors.push_back({part.name, fields.errors.*part.values});
+  for (const solve::ErrorPart& part : solve::error_parts()) {
+    const bool of_body = part.values == &solve::PressureErrors::body;
+    garment.pressure_errors.push_back({part.name, of_body ? fields.body_change : fields.errors.*part.values});
+  }
   const result::Axis axis = axis_of(output);
   std::vector<result::Level> levels;
   for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});

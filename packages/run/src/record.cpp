@@ -15,7 +15,8 @@ void drop_round_off(double magnitude, solve::Fields* fields) {
   double pressed = 0.0;
   for (const double force : fields->contact_force) pressed += std::abs(force);
   if (pressed > noise * magnitude) return;
-  for (std::vector<double>* field : {&fields->pressure, &fields->pressure_error, &fields->contact_force})
+  for (std::vector<double>* field :
+       {&fields->pressure, &fields->pressure_error, &fields->body_change, &fields->contact_force})
     std::fill(field->begin(), field->end(), 0.0);
   for (const solve::ErrorPart& part : solve::error_parts())
     std::fill((fields->errors.*part.values).begin(), (fields->errors.*part.values).end(), 0.0);

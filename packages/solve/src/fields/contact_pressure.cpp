@@ -40,11 +40,23 @@ std::vector<size_t> pieces(const Problem& problem) {
   return piece;
 }
 
+/// The largest of the garment's fabrics, N/mm.
+double largest_stiffness(const Problem& problem) {
+  double largest = 0.0;
+  for (const BlockModel& model : problem.models) {
+    const material::Material& fabric = *model.material;
+    const std::vector<double> params = fabric.graduated() ? fabric.params_at(0.5) : fabric.params();
+    largest = std::max(largest, fabric.thickness() * fabric.response().natural_stiffness(params.data()));
+  }
+  return largest;
+}
+
 /// What the recovery is told of a state.
 class Collector {
  public:
   Collector(const Problem& problem, const State& state, const Fields& fields)
       : problem_(problem), state_(state), fields_(fields), piece_(pieces(problem)) {
+    fabric_.stiffness = largest_stiffness(problem);
     add_clusters();
     for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(b);
   }
@@ -98,7 +110,7 @@ void Collector::add_cluster(const std::vector<int>& nodes, double offset, double
   contact::ContactCluster cluster;
   cluster.position = fields_.position[nodes.front()];
   cluster.surface = problem_.surface->closest(cluster.position);
-  cluster.doubt = problem_.surface->doubt(cluster.position).hessian;
+  cluster.doubt = problem_.surface->doubt(cluster.position);
   cluster.offset = offset;
   cluster.force = force;
   for (const int n : nodes) {
@@ -191,17 +203,6 @@ double mean_pressure(const Fields& fields) {
   return area > 0.0 ? std::sqrt(squares / area) : 0.0;
 }
 
-/// The largest of the garment's fabrics, N/mm.
-double largest_stiffness(const Problem& problem) {
-  double largest = 0.0;
-  for (const BlockModel& model : problem.models) {
-    const material::Material& fabric = *model.material;
-    const std::vector<double> params = fabric.graduated() ? fabric.params_at(0.5) : fabric.params();
-    largest = std::max(largest, fabric.thickness() * fabric.response().natural_stiffness(params.data()));
-  }
-  return largest;
-}
-
 /// Those of mesh and body are known. What forces are wrong by, pressures are: relative to the mean.
 void add_errors(const Accuracy& accuracy, Fields& out) {
   const double mean = mean_pressure(out);
@@ -225,7 +226,6 @@ void add_contact_pressure(const Problem& problem, const State& state, const Accu
   }
   const Collector collector(problem, state, out);
   const contact::Recovery recovery = contact::recover(collector.fabric());
-  const double stiffness = largest_stiffness(problem);
   out.isolated_contacts = recovery.isolated;
   for (const contact::ContactCluster& cluster : collector.fabric().clusters)
     if (cluster.force > 0.0 && !cluster.surface.found) ++out.contacts_off_surface;
@@ -241,8 +241,10 @@ void add_contact_pressure(const Problem& problem, const State& state, const Accu
     out.pressure[n] = site.pressure / per_middle;
     out.errors.mesh[n] = site.error / per_middle;
     out.errors.body[n] = site.of_body / per_middle;
+    out.body_change[n] = site.body_change / per_middle;
     // A gap g changes the stretch along a curvature k by g k, and with it tension x curvature.
-    if (site.pressure > 0.0) out.errors.gap[n] = stiffness * std::abs(out.gap[n]) * at.surface.hessian.squaredNorm();
+    if (site.pressure > 0.0)
+      out.errors.gap[n] = collector.fabric().stiffness * std::abs(out.gap[n]) * at.surface.hessian.squaredNorm();
   }
   add_errors(accuracy, out);
 }

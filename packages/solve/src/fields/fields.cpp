@@ -78,6 +78,7 @@ Fields compute_fields(const Problem& problem, const State& state, const Accuracy
   out.pressure.assign(nodes, 0.0);
   out.pressure_error.assign(nodes, 0.0);
   for (const ErrorPart& part : error_parts()) (out.errors.*part.values).assign(nodes, 0.0);
+  out.body_change.assign(nodes, 0.0);
   out.contact_force.assign(nodes, 0.0);
   out.gap.assign(nodes, 0.0);
   out.normal.assign(nodes, Vec3::Zero());

@@ -11,7 +11,7 @@ namespace toile::result {
 /// A part of the estimated error of the pressure.
 struct PressureError {
   std::string name;
-  std::vector<double> values;  ///< [node] MPa
+  std::vector<double> values;  ///< [node] MPa; those with a sign cancel in a mean
 };
 
 /// The deformed garment with the fields that are averaged around its sections.

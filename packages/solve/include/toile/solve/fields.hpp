@@ -29,6 +29,7 @@ struct Fields {
   std::vector<double> pressure;
   std::vector<double> pressure_error;  ///< [node] MPa: estimate of its size, of all parts; not of the fabric's model
   PressureErrors errors;               ///< the parts
+  std::vector<double> body_change;     ///< [node] MPa: that of the body with its sign, see contact::SitePressure
   std::vector<double> contact_force;   ///< [node] N along `normal`: of the solve; a cluster's is shared out by area
   std::vector<double> gap;             ///< [node] mm, of the fabric's contact surface; 0 without a body
   std::vector<Vec3> normal;            ///< [node] of the body at the closest point
