@@ -27,6 +27,7 @@ namespace toile::run {
   OUTPUT(crossing_warnings)   \
   OUTPUT(crossings)           \
   OUTPUT(slides)              \
+  OUTPUT(figures)             \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
   OUTPUT(checks)
