@@ -47,16 +47,15 @@ std::string ended_text(const study::Outcome& outcome) {
   return outcome.reason.substr(0, outcome.reason.find('\n'));
 }
 
-int run_study(const StudyArguments& arguments) {
-  if (Tpetra::getDefaultComm()->getSize() > 1)
-    throw base::InputError("a study starts its runs itself: without mpirun; ranks are varied by the path run/ranks");
-  base::Log log(std::cout, std::cerr, arguments.quiet);
-  study::Study study = study::read_study(arguments.file, arguments.allow_plugins);
+/// Runs a study and writes its report. Returns how many of its cases are bad.
+std::size_t run_one(const std::string& file, const std::string& folder, const StudyArguments& arguments,
+                    base::Log& log) {
+  study::Study study = study::read_study(file, arguments.allow_plugins);
   if (arguments.jobs > 0) study.jobs = arguments.jobs;
   study::RunOptions options;
   options.program = std::filesystem::read_symlink("/proc/self/exe").string();
   options.identity = program_identity(options.program);
-  options.folder = arguments.output.empty() ? "results/" + study.name : arguments.output;
+  options.folder = folder;
   options.allow_plugins = arguments.allow_plugins;
   options.stop = [] { return !stop_signal().empty(); };
   std::size_t ended = 0;
@@ -64,16 +63,30 @@ int run_study(const StudyArguments& arguments) {
     log.info("  " + std::to_string(++ended) + "/" + std::to_string(study.cases.size()) + " " + one.name + ": " +
              ended_text(outcome));
   };
-  log.info(study.title + "\n" + std::to_string(study.cases.size()) + " cases, results in " + options.folder);
-  catch_stop_signals();
+  log.info(study.title + "\n" + std::to_string(study.cases.size()) + " cases, results in " + folder);
   const std::vector<study::Outcome> outcomes = study::run_cases(study, options);
-  const study::Evaluation evaluation = study::evaluate(study, outcomes, options.folder);
-  for (const std::string& warning : study::write_report(study, outcomes, evaluation, options.folder)) log.warn(warning);
+  const study::Evaluation evaluation = study::evaluate(study, outcomes, folder);
+  for (const std::string& warning : study::write_report(study, outcomes, evaluation, folder)) log.warn(warning);
   log.info(study::report_text(study, outcomes, evaluation));
   const auto bad = std::count_if(evaluation.rows.begin(), evaluation.rows.end(), [](const study::Row& row) {
     return row.verdict == study::Verdict::wrong || row.verdict == study::Verdict::crashed ||
            row.verdict == study::Verdict::endless;
   });
+  return static_cast<std::size_t>(bad);
+}
+
+int run_study(const StudyArguments& arguments) {
+  if (Tpetra::getDefaultComm()->getSize() > 1)
+    throw base::InputError("a study starts its runs itself: without mpirun; ranks are varied by the path run/ranks");
+  namespace fs = std::filesystem;
+  base::Log log(std::cout, std::cerr, arguments.quiet);
+  const std::string folder =
+      arguments.output.empty() ? "results/" + fs::path(arguments.file).stem().string() : arguments.output;
+  const base::Texts files = study::study_files(arguments.file);
+  catch_stop_signals();
+  std::size_t bad = 0;
+  for (const std::string& file : files)
+    bad += run_one(file, files.size() == 1 ? folder : folder + "/" + fs::path(file).stem().string(), arguments, log);
   if (bad > 0)
     throw base::Error(base::ExitCode::check_failed,
                       std::to_string(bad) + " cases are wrong without a word of it, crashed or did not end in time");

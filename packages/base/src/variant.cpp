@@ -72,9 +72,8 @@ Variant::Variant(const Texts& files, const std::string& root) : content_(root) {
 }
 
 void Variant::set(const Spec& spec, const std::string& path, const std::string& text) {
-  const Merged all = whole(content_, spec);
-  const ParameterList* there = &all.list;
-  const ParameterList nothing;
+  if (whole_.numParams() == 0) whole_ = whole(content_, spec).list;
+  ParameterList* there = &whole_;
   const Spec* described = &spec;
   ParameterList* changed = &content_;
   const Texts names = names_of(path);
@@ -88,7 +87,7 @@ void Variant::set(const Spec& spec, const std::string& path, const std::string& 
       fail(path, "there is no list \"" + names[i] + "\"" + scope.belongs(names[i]) + hint(names[i], valid));
     }
     described = fixed != nullptr ? fixed : scope.entry;
-    there = present ? &there->sublist(names[i]) : &nothing;
+    there = &there->sublist(names[i]);
     changed = &changed->sublist(names[i]);
   }
   const Scope scope(*described, *there);
@@ -96,8 +95,11 @@ void Variant::set(const Spec& spec, const std::string& path, const std::string& 
   if (parameter == nullptr)
     fail(path, "there is no parameter \"" + names.back() + "\"" + scope.belongs(names.back()) +
                    hint(names.back(), scope.parameter_names()));
-  const std::string problem = set_value(*changed, names.back(), type_text(parameter->type), written(*parameter, text));
-  if (!problem.empty()) fail(path, "the value" + problem);
+  for (ParameterList* list : {changed, there}) {
+    if (list->isSublist(names.back())) list->remove(names.back());  // a table
+    const std::string problem = set_value(*list, names.back(), type_text(parameter->type), written(*parameter, text));
+    if (!problem.empty()) fail(path, "the value" + problem);
+  }
 }
 
 std::string Variant::xml(const std::string& folder) const {

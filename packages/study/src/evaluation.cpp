@@ -145,7 +145,7 @@ class Evaluator {
 
   void judge(Row& row, const Outcome& outcome) const {
     if (!has_result(row)) return;
-    bool right = true, known = true;
+    bool right = true, known = std::isfinite(study_.tolerance);
     for (const Measured& m : row.measured) {
       if (std::isnan(m.value)) {
         right = false;
@@ -154,7 +154,7 @@ class Evaluator {
         known = false;
       } else {
         const double bar = std::isnan(m.bar) ? 0.0 : m.bar;
-        const double allowed = std::max(bar, study_.tolerance * std::abs(m.reference)) + m.uncertain;
+        const double allowed = bar + study_.tolerance * std::abs(m.reference) + m.uncertain;
         right = right && std::abs(m.value - m.reference) <= allowed;
       }
     }

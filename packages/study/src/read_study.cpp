@@ -155,8 +155,22 @@ bool advance(std::vector<std::size_t>& place, const std::vector<Axis>& axes) {
 
 }  // namespace
 
+base::Texts study_files(const std::string& file) {
+  const List list = base::read_xml(file, study_spec());
+  Texts files;
+  for (const std::string& one : list.words("studies"))
+    files.push_back((fs::path(list.file("studies")).parent_path() / one).lexically_normal().string());
+  if (!files.empty() && (list.given("scene") || list.has_list("Vary")))
+    list.fail("studies", "stands beside a study of this file itself; give either");
+  if (files.empty()) files = {file};
+  return files;
+}
+
 Study read_study(const std::string& file, bool allow_plugins) {
   const List list = base::read_xml(file, study_spec());
+  if (list.word("scene").empty()) list.fail("scene", "must name a file");
+  for (const char* needed : {"Vary", "Quantities"})
+    if (!list.has_list(needed)) throw base::InputError(file + ": study: missing list \"" + needed + "\"");
   const fs::path folder = fs::path(list.file("scene")).parent_path();
   Study study;
   study.name = fs::path(file).stem().string();

@@ -1,5 +1,7 @@
 #include "toile/study/spec.hpp"
 
+#include <limits>
+
 namespace toile::study {
 
 namespace {
@@ -65,7 +67,13 @@ base::Spec study_spec() {
   return Spec("study", "Runs of one scene that are compared: how large the error is, and what it costs.")
       .word("title", "What is studied.", std::string())
       .add(base::include_parameter())
-      .word("scene", "File of the scene, its path from the folder of this file.")
+      .word("scene", "File of the scene, its path from the folder of this file. To be given, unless 'studies' are.",
+            std::string())
+      .words(
+          "studies",
+          "Files of other studies, their paths from the folder of this file, that are run one after the other instead; "
+          "nothing else is then given.",
+          base::Texts{})
       .word("refine",
             "Name of the change that refines the mesh, the coarsest value first: along it results are extrapolated and "
             "the order of convergence is found. Empty: none.",
@@ -78,11 +86,13 @@ base::Spec study_spec() {
               {"wall", "processor"}, std::string("wall"))
       .reals("targets", "%", "Errors for which the cheapest setting is looked for.", base::Reals{5.0, 1.0, 0.2},
              Range::positive())
-      .real("tolerance", "%",
-            "A quantity is right if its error is within its own error bar or within this share of it.", 2.0,
-            Range::non_negative())
-      .list(vary_spec(), true)
-      .list(quantities_spec(), true);
+      .real(
+          "tolerance", "%",
+          "A quantity is right if its error is at most its own error bar and this share of it together; a case that is "
+          "wrong, and does not say so, then ends the study with exit status 4. Default: cases are not judged.",
+          std::numeric_limits<double>::infinity(), Range::non_negative())
+      .list(vary_spec())
+      .list(quantities_spec());
 }
 
 }  // namespace toile::study

@@ -29,6 +29,7 @@ class Variant {
 
  private:
   Teuchos::ParameterList content_;
+  Teuchos::ParameterList whole_;  ///< with what it includes, in which paths are looked up; empty: not read yet
 };
 
 /// A list as it stands in an XML file.

@@ -10,7 +10,7 @@
 namespace toile::study {
 
 enum class Verdict {
-  right,    ///< each quantity is within its error bar or the tolerance
+  right,    ///< each quantity is within its error bar and the tolerance together
   ran,      ///< it has a result, and nothing is known to compare it with
   warned,   ///< it is not right, and the run says that it is not to be trusted
   refused,  ///< it ended without a result, and with a reason

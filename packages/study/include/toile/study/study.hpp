@@ -49,13 +49,16 @@ struct Study {
   double most_seconds = 0.0;
   bool processor_time = false;
   base::Reals targets;     ///< relative
-  double tolerance = 0.0;  ///< relative
+  double tolerance = 0.0;  ///< relative; infinite: cases are not judged
   std::vector<Case> cases;
 
   const std::string& label(const Case& one, std::size_t axis, std::size_t change = 0) const {
     return axes[axis].changes[change].labels[one.place[axis]];
   }
 };
+
+/// The files of the studies that this one stands for; itself, if it is one. Throws base::InputError.
+base::Texts study_files(const std::string& file);
 
 /// Reads a study and makes its cases: the last axis changes fastest. Throws base::InputError that names the file and
 /// the path in the scene that does not exist, before anything runs.
