@@ -100,7 +100,13 @@ class Session:
     """A scene, its run, and the record of the run."""
 
     def __init__(
-        self, scene: Scene, *, threads: int = 1, allow_plugins: bool = False, verbose: bool = False
+        self,
+        scene: Scene,
+        *,
+        settings: Mapping[str, Any] = ...,
+        threads: int = 1,
+        allow_plugins: bool = False,
+        verbose: bool = False,
     ) -> None: ...
     def run(
         self,
@@ -144,6 +150,7 @@ def run(
     *,
     output: Optional[Union[str, "os.PathLike[str]"]] = None,
     progress: Optional[Callable[[Step], Any]] = None,
+    settings: Mapping[str, Any] = ...,
     threads: int = 1,
     allow_plugins: bool = False,
     verbose: bool = False,

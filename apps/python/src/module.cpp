@@ -204,10 +204,12 @@ void add_block(py::module_& m) {
 
 void add_session(py::module_& m) {
   py::class_<PySession>(m, "Session", "A scene, its run, and the record of the run. Lengths are mm, forces N.")
-      .def(py::init<const py::object&, int, bool, bool>(), py::arg("scene"), py::kw_only(), py::arg("threads") = 1,
-           py::arg("allow_plugins") = false, py::arg("verbose") = false,
+      .def(py::init<const py::object&, const py::dict&, int, bool, bool>(), py::arg("scene"), py::kw_only(),
+           py::arg("settings") = py::dict(), py::arg("threads") = 1, py::arg("allow_plugins") = false,
+           py::arg("verbose") = false,
            "Reads and builds a scene: the path of an XML file, or a dictionary of what such a file holds (lists are "
-           "dictionaries, arrays are lists or NumPy arrays). Raises InputError.")
+           "dictionaries, arrays are lists or NumPy arrays). `settings`: what is to be another in a file, by paths, "
+           "{\"Panels/front/size\": 4}. Raises InputError.")
       .def("run", &PySession::run, py::kw_only(), py::arg("output") = py::none(), py::arg("progress") = py::none(),
            "Takes the garment through every stage. `output`: folder of result files; none are written without. "
            "`progress` is called with each accepted Step; what it raises ends the run and is raised here. What limits "
@@ -266,13 +268,13 @@ PYBIND11_MODULE(toile, m) {
   toile::python::add_session(m);
   m.def(
       "run",
-      [](const py::object& scene, const py::object& output, const py::object& progress, int threads, bool allow_plugins,
-         bool verbose) {
-        auto session = std::make_unique<toile::python::PySession>(scene, threads, allow_plugins, verbose);
+      [](const py::object& scene, const py::object& output, const py::object& progress, const py::dict& settings,
+         int threads, bool allow_plugins, bool verbose) {
+        auto session = std::make_unique<toile::python::PySession>(scene, settings, threads, allow_plugins, verbose);
         session->run(output, progress);
         return session;
       },
       py::arg("scene"), py::kw_only(), py::arg("output") = py::none(), py::arg("progress") = py::none(),
-      py::arg("threads") = 1, py::arg("allow_plugins") = false, py::arg("verbose") = false,
-      "Makes a Session of a scene, runs it, and returns it.");
+      py::arg("settings") = py::dict(), py::arg("threads") = 1, py::arg("allow_plugins") = false,
+      py::arg("verbose") = false, "Makes a Session of a scene, runs it, and returns it.");
 }

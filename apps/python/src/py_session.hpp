@@ -12,6 +12,8 @@
 
 #include "arrays.hpp"
 #include "scene_list.hpp"
+#include "toile/base/variant.hpp"
+#include "toile/material/read_laws.hpp"
 #include "toile/run/outputs.hpp"
 #include "toile/solve/output_fields.hpp"
 
@@ -84,7 +86,8 @@ class Follower : public run::Observer {
 
 class PySession {
  public:
-  PySession(const py::object& scene, int threads, bool allow_plugins, bool verbose) : verbose_(verbose) {
+  PySession(const py::object& scene, const py::dict& settings, int threads, bool allow_plugins, bool verbose)
+      : verbose_(verbose) {
     initialise();
     run::Options options;
     options.threads = threads;
@@ -92,12 +95,15 @@ class PySession {
     if (Tpetra::getDefaultComm()->getRank() == 0) options.log = base::Log(std::cout, std::cerr, !verbose);
     if (!verbose) options.log = base::Log();
     if (py::isinstance<py::dict>(scene)) {
+      if (!settings.empty()) throw py::value_error("settings are for the file of a scene; set them in the dictionary");
       Teuchos::ParameterList list("scene");
       fill(list, scene.cast<py::dict>(), "scene");
       session_ = std::make_unique<run::Session>(list, "dictionary", options);
     } else {
       const auto path = py::module_::import("os").attr("fspath")(scene).cast<std::string>();
-      session_ = std::make_unique<run::Session>(path, options);
+      session_ = settings.empty()
+                     ? std::make_unique<run::Session>(path, options)
+                     : std::make_unique<run::Session>(variant(path, settings, allow_plugins), path, options);
     }
   }
 
@@ -132,6 +138,15 @@ class PySession {
   }
 
  private:
+  static Teuchos::ParameterList variant(const std::string& file, const py::dict& settings, bool allow_plugins) {
+    base::Variant variant({file}, "scene");
+    const base::Spec spec = scene::scene_spec(material::read_laws(file, "scene", allow_plugins));
+    for (const auto& [key, value] : settings) {
+      const auto path = py::str(key).cast<std::string>();
+      variant.set(spec, path, text_of(path, value));
+    }
+    return variant.content();
+  }
   /// What nobody has printed must not pass unseen.
   void warn() {
     for (const std::string& warning : session_->log().warnings())

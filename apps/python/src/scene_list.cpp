@@ -84,4 +84,15 @@ void fill(Teuchos::ParameterList& list, const py::dict& content, const std::stri
   }
 }
 
+std::string text_of(const std::string& where, const py::handle& given) {
+  const py::object value = plain(given);
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value).cast<std::string>();
+  if (!py::isinstance<py::sequence>(value)) refuse(where, "a setting is a bool, a number, a text, or a list of them");
+  std::string text;
+  for (const py::handle& entry : value) text += (text.empty() ? "" : "; ") + text_of(where, entry);
+  return text;
+}
+
 }  // namespace toile::python

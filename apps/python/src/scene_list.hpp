@@ -12,4 +12,7 @@ namespace toile::python {
 /// the path of what no scene can hold.
 void fill(Teuchos::ParameterList& list, const pybind11::dict& content, const std::string& path);
 
+/// A value as a scene file has it; entries of a sequence stand apart by semicolons. Throws TypeError with `where`.
+std::string text_of(const std::string& where, const pybind11::handle& value);
+
 }  // namespace toile::python

@@ -10,6 +10,7 @@ namespace toile::app {
   COMMAND(material_check)       \
   COMMAND(material_build)       \
   COMMAND(identify)             \
+  COMMAND(study)                \
   COMMAND(body_measure)         \
   COMMAND(body_landmarks)       \
   COMMAND(body_make)            \

@@ -78,7 +78,7 @@ run::Options options_of(const RunArguments& arguments) {
 void run_session(run::Session& session, const RunArguments& arguments) {
   const std::string folder = folder_of(arguments);
   if (arguments.restart) session.resume(folder + "/restart.h5");
-  run::add_outputs(session, {folder, arguments.heartbeat});
+  run::add_outputs(session, {folder, arguments.heartbeat, !arguments.no_pictures});
   session.log().info(session.scene().title() + "\n" + std::to_string(session.scene().garment().mesh.nodes()) +
                      " nodes, " + std::to_string(Tpetra::getDefaultComm()->getSize()) + " rank(s), results in " +
                      folder);
@@ -107,6 +107,7 @@ void add_run(CLI::App& program, Chosen& chosen) {
                   "Seconds without a line after which the iterations of a step are told of (default: 5)")
       ->check(CLI::Range(0.0, 1e9));
   run->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
+  run->add_flag("--no-pictures", arguments->no_pictures, "Write tables without the plots beside them");
   run->add_flag("--restart", arguments->restart,
                 "Go on after the last step that is in the folder of the results, from its restart.h5");
   add_plugins_flag(run, arguments->allow_plugins);

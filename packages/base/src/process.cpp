@@ -2,6 +2,7 @@
 
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,18 +46,25 @@ class MemoryFile {
   int file_;
 };
 
-/// Waits for the end of a process, and ends its group after `limit` seconds.
-void wait_for(pid_t process, double limit, ProcessEnd& end) {
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Waits for the end of a process, and ends its group after its time or if that is wanted.
+void wait_for(pid_t process, const ProcessOptions& options, ProcessEnd& end) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   int status = 0;
-  while (waitpid(process, &status, WNOHANG) == 0) {
-    if (std::chrono::duration<double>(Clock::now() - start).count() > limit && !end.out_of_time) {
-      end.out_of_time = true;
-      kill(-process, SIGKILL);
-    }
+  rusage usage{};
+  while (wait4(process, &status, WNOHANG, &usage) == 0) {
+    end.out_of_time = end.out_of_time || (!end.stopped && seconds() > options.most_seconds);
+    end.stopped = end.stopped || (!end.out_of_time && options.stop && options.stop());
+    if (end.out_of_time || end.stopped) kill(-process, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  end.seconds = seconds();
+  end.processor_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   end.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
@@ -84,7 +92,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (!end.found) return end;
-  wait_for(process, options.most_seconds, end);
+  wait_for(process, options, end);
   end.output = output.content();
   end.errors = errors.content();
   return end;

@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include "csv_columns.hpp"
+#include "toile/base/csv_file.hpp"
 #include "toile/base/error.hpp"
 
 namespace toile::identify {
 namespace {
+
+using base::CsvColumn;
+using base::CsvFile;
 
 constexpr std::size_t least_rows = 3;
 /// No fabric reaches it: what is above is in another unit than its title says.
@@ -203,7 +206,7 @@ base::Spec curve_spec() {
 
 Curve read_curve(const base::List& list, double thickness) {
   const std::filesystem::path folder = std::filesystem::path(list.file("file")).parent_path();
-  const CsvFile file = read_csv((folder / list.word("file")).string(), list.word("decimal mark"));
+  const CsvFile file = base::read_csv((folder / list.word("file")).string(), list.word("decimal mark"));
   Curve curve;
   curve.name = list.name();
   curve.kind = kind_of(list.word("kind"));

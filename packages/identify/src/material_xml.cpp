@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "toile/base/variant.hpp"
 #include "toile/identify/report.hpp"
 #include "toile/material/plugin_files.hpp"
 
@@ -17,29 +18,14 @@ std::string number(double value) {
   return {text.data(), end};
 }
 
-/// As the value of an attribute needs it.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 std::string line(const std::string& name, const std::string& type, const std::string& value) {
-  return "<Parameter name=\"" + escaped(name) + "\" type=\"" + type + "\" value=\"" + escaped(value) + "\"/>\n";
+  return "<Parameter name=\"" + base::xml_attribute(name) + "\" type=\"" + type + "\" value=\"" +
+         base::xml_attribute(value) + "\"/>\n";
 }
 
 /// A list with `content`, whose lines are indented.
 std::string list(const std::string& name, const std::string& content) {
-  std::string text = "<ParameterList name=\"" + escaped(name) + "\">\n";
+  std::string text = "<ParameterList name=\"" + base::xml_attribute(name) + "\">\n";
   std::istringstream lines(content);
   for (std::string one; std::getline(lines, one);) text += "  " + one + "\n";
   return text + "</ParameterList>\n";

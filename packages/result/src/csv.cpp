@@ -34,6 +34,10 @@ void write_header(std::ostream& out, const Table& table) {
     out << cell(table.row_title);
     separator = ",";
   }
+  for (const auto& [title, texts] : table.more_names) {
+    out << separator << cell(title);
+    separator = ",";
+  }
   for (const Column& column : table.columns) {
     out << separator << header(column.name);
     separator = ",";
@@ -48,6 +52,10 @@ void write_row(std::ostream& out, const Table& table, std::size_t row) {
   const char* separator = "";
   if (!table.row_names.empty()) {
     out << cell(table.row_names[row]);
+    separator = ",";
+  }
+  for (const auto& [title, texts] : table.more_names) {
+    out << separator << cell(texts[row]);
     separator = ",";
   }
   for (const Column& column : table.columns) {

@@ -112,7 +112,9 @@ std::string script_text(const std::string& name, const Plot& plot) {
       << "set ylabel " << quoted(plot.y_label) << " noenhanced\n"
       << "set key noenhanced " << (plot.legend_below ? "below" : "top right") << '\n'
       << "set grid\n"
-      << (plot.y_from_zero ? "set yrange [0:*]\n" : "") << "set offsets graph 0.02, graph 0.02, graph 0.08, 0\n";
+      << (plot.logarithmic ? "set logscale xy\nset format \"%h\"\n" : "")
+      << (plot.y_from_zero ? "set yrange [0:*]\n" : "")
+      << (plot.logarithmic ? "" : "set offsets graph 0.02, graph 0.02, graph 0.08, 0\n");
   if (plot.second_axis) {
     write_second_axis(out, plot);
   }

@@ -8,7 +8,8 @@
 
 namespace toile::run {
 
-Folder::Folder(std::string path, std::vector<std::string> files) : path_(std::move(path)), files_(std::move(files)) {
+Folder::Folder(std::string path, std::vector<std::string> files, bool pictures)
+    : path_(std::move(path)), files_(std::move(files)), pictures_(pictures) {
   std::error_code problem;
   std::filesystem::create_directories(path_, problem);
   if (problem) throw base::InputError("cannot make the folder of the results \"" + path_ + "\": " + problem.message());

@@ -9,10 +9,11 @@ namespace toile::run {
 class Folder {
  public:
   /// Makes it. `files`: every one that a run may write. Throws InputError if it cannot be written, or one of them
-  /// cannot be replaced.
-  Folder(std::string path, std::vector<std::string> files);
+  /// cannot be replaced. `pictures`: whether plots are drawn in it.
+  Folder(std::string path, std::vector<std::string> files, bool pictures = true);
 
   const std::string& path() const { return path_; }
+  bool pictures() const { return pictures_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   /// A file of this run is in it.
   void add(const std::string& name);
@@ -24,6 +25,7 @@ class Folder {
  private:
   std::string path_;
   std::vector<std::string> files_, written_;
+  bool pictures_;
 };
 
 }  // namespace toile::run

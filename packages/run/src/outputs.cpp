@@ -27,6 +27,7 @@ namespace toile::run {
   OUTPUT(crossing_warnings)   \
   OUTPUT(crossings)           \
   OUTPUT(slides)              \
+  OUTPUT(figures)             \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
   OUTPUT(checks)
@@ -54,7 +55,7 @@ void add_outputs(Session& session, const OutputOptions& options) {
   const bool writes = !options.folder.empty();
   if (writes) check_names(session.scene(), session.list());
   on_first_rank([&] {
-    const auto folder = writes ? std::make_shared<Folder>(options.folder, output_files()) : nullptr;
+    const auto folder = writes ? std::make_shared<Folder>(options.folder, output_files(), options.pictures) : nullptr;
     const OutputContext context{session.scene(), session.log(), session.timer(), folder, options.heartbeat};
     for (const Output& output : registry())
       if (auto observer = output.make(context)) session.add(std::move(observer));

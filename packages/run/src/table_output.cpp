@@ -29,6 +29,7 @@ std::vector<std::string> plot_files(const std::string& name) {
 }
 
 void draw(Folder& folder, const std::string& name, const result::Plot& plot, base::Log& log) {
+  if (!folder.pictures()) return;
   const auto warning = result::write_plot(folder.path(), name, plot);
   if (warning) log.warn(*warning);
   folder.add(warning ? name + ".dat" : name + ".png");

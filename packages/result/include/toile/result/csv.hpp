@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "toile/result/field_name.hpp"
@@ -20,6 +21,8 @@ struct Table {
   std::vector<Column> columns;
   std::string text_title = {};
   std::vector<std::string> texts = {};  ///< empty: none
+  /// Further texts in front of each row, behind its name: title and a text a row.
+  std::vector<std::pair<std::string, std::vector<std::string>>> more_names = {};
 };
 
 /// Comma-separated values with one header line, "name [unit]", and 10 significant digits (`digits` of them if told: 17

@@ -30,6 +30,7 @@ struct Plot {
   std::vector<Series> series;
   std::optional<SecondAxis> second_axis;
   bool y_from_zero = false;
+  bool logarithmic = false;   ///< both axes; what is not positive is left out
   bool legend_below = false;  ///< under the picture, where it hides nothing
 };
 

@@ -11,6 +11,7 @@ namespace toile::run {
 struct OutputOptions {
   std::string folder = "";  ///< of the files; empty: none are written
   double heartbeat = 5.0;   ///< s without a line after which the iterations of a step are told of
+  bool pictures = true;     ///< whether plots are drawn beside their tables
 };
 
 /// Adds every output that the session's scene asks for: what is told to its log, and files if there is a folder.

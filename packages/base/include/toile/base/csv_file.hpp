@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace toile::identify {
+namespace toile::base {
 
 /// One column of a CSV file with its title taken apart: "name [unit]".
 struct CsvColumn {
@@ -36,4 +36,4 @@ std::string place(const CsvFile& file, int line, const CsvColumn& column);
 /// The numbers of a column. Throws InputError at a cell that is empty or not a finite number.
 std::vector<double> numbers(const CsvFile& file, const CsvColumn& column);
 
-}  // namespace toile::identify
+}  // namespace toile::base

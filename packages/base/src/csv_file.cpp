@@ -1,4 +1,4 @@
-#include "csv_columns.hpp"
+#include "toile/base/csv_file.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "toile/base/error.hpp"
 #include "toile/base/file.hpp"
 
-namespace toile::identify {
+namespace toile::base {
 namespace {
 
 constexpr std::size_t most_bytes = 64U << 20U;
@@ -55,12 +55,12 @@ void add_titles(CsvFile& file, const std::string& line) {
 void add_row(CsvFile& file, const std::string& line, int number) {
   const std::vector<std::string> cells = cells_of(line, file.separator);
   if (cells.size() != file.columns.size())
-    throw base::InputError(file.path + ", line " + std::to_string(number) + ": " + std::to_string(cells.size()) +
-                           " cells, but the titles of line " + std::to_string(file.title_line) + " are " +
-                           std::to_string(file.columns.size()) +
-                           (file.separator == ',' && cells.size() > file.columns.size()
-                                ? "; if numbers have a decimal comma, separate the columns by semicolons"
-                                : ""));
+    throw InputError(file.path + ", line " + std::to_string(number) + ": " + std::to_string(cells.size()) +
+                     " cells, but the titles of line " + std::to_string(file.title_line) + " are " +
+                     std::to_string(file.columns.size()) +
+                     (file.separator == ',' && cells.size() > file.columns.size()
+                          ? "; if numbers have a decimal comma, separate the columns by semicolons"
+                          : ""));
   file.lines.push_back(number);
   for (std::size_t i = 0; i < cells.size(); ++i) file.columns[i].cells.push_back(cells[i]);
 }
@@ -90,17 +90,15 @@ class DecimalMark {
   char mark() const {
     const std::string way_out = "; write the mark in the parameter \"decimal mark\"";
     if (!comma_.text.empty() && !point_.text.empty())
-      throw base::InputError(point_.place + "\"" + point_.text + "\" has a point, but " + comma_.place + "\"" +
-                             comma_.text +
-                             "\" has a comma: write all numbers with one decimal mark, and without "
-                             "thousands separators");
+      throw InputError(point_.place + "\"" + point_.text + "\" has a point, but " + comma_.place + "\"" + comma_.text +
+                       "\" has a comma: write all numbers with one decimal mark, and without "
+                       "thousands separators");
     const Sample& only = comma_.text.empty() ? point_ : comma_;
     // Where commas separate the columns, a point is decimal: who writes decimal commas cannot write so.
     const bool open = !only.text.empty() && !certain_ && !(file_.separator == ',' && comma_.text.empty());
     if (open)
-      throw base::InputError(only.place + "\"" + only.text +
-                             "\" and all other numbers could have a thousands separator " +
-                             "as well as a decimal mark" + way_out);
+      throw InputError(only.place + "\"" + only.text + "\" and all other numbers could have a thousands separator " +
+                       "as well as a decimal mark" + way_out);
     return comma_.text.empty() ? '.' : ',';
   }
 
@@ -113,11 +111,11 @@ class DecimalMark {
 }  // namespace
 
 CsvFile read_csv(const std::string& path, const std::string& decimal_mark) {
-  if (const std::string why = base::unreadable(path); !why.empty())
-    throw base::InputError("cannot read the data file " + path + ": " + why);
-  const std::string text = base::read_file(path, "a CSV file", most_bytes);
+  if (const std::string why = unreadable(path); !why.empty())
+    throw InputError("cannot read the data file " + path + ": " + why);
+  const std::string text = read_file(path, "a CSV file", most_bytes);
   if (text.find('\0') != std::string::npos)
-    throw base::InputError(path + ": this is no text, or UTF-16 text; save it as CSV in UTF-8");
+    throw InputError(path + ": this is no text, or UTF-16 text; save it as CSV in UTF-8");
   std::istringstream stream(text);
   CsvFile file;
   file.path = path;
@@ -134,7 +132,7 @@ CsvFile read_csv(const std::string& path, const std::string& decimal_mark) {
     file.title_line = number;
     add_titles(file, line);
   }
-  if (file.title_line == 0) throw base::InputError(path + ": the file has no line of titles");
+  if (file.title_line == 0) throw InputError(path + ": the file has no line of titles");
   file.decimal_mark = decimal_mark == "found" ? DecimalMark(file).mark() : decimal_mark == "comma" ? ',' : '.';
   return file;
 }
@@ -155,12 +153,12 @@ std::vector<double> numbers(const CsvFile& file, const CsvColumn& column) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + (text.size() > 1 && text[0] == '+'), end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-      throw base::InputError(
-          place(file, file.lines[row], column) + (cell.empty() ? "the cell is empty" : "\"" + cell + "\"") +
-          ", expected a finite number with a decimal " + (file.decimal_mark == ',' ? "comma" : "point"));
+      throw InputError(place(file, file.lines[row], column) +
+                       (cell.empty() ? "the cell is empty" : "\"" + cell + "\"") +
+                       ", expected a finite number with a decimal " + (file.decimal_mark == ',' ? "comma" : "point"));
     values.push_back(value);
   }
   return values;
 }
 
-}  // namespace toile::identify
+}  // namespace toile::base
