@@ -63,12 +63,6 @@ Wrinkles wrinkles(const PlaneRun& run, size_t step) {
           2.0 * spacing * elements_across / length};
 }
 
-size_t final_step(const PlaneRun& run, double load) {
-  for (size_t k = 0; k < run.reports.size(); ++k)
-    if (run.reports[k].undamped && std::abs(run.reports[k].load - load) < 1e-9) return k;
-  throw std::runtime_error("no final state at load " + std::to_string(load));
-}
-
 void print_work(const PlaneRun& run) {
   print("%zu steps, %d cut-backs, %d Newton iterations, dissipated %.2f %% of the largest strain energy\n",
         run.reports.size(), cut_backs(run), newton_iterations(run),

@@ -1,5 +1,6 @@
 #include "verification/plane_scene.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -145,6 +146,12 @@ PlaneRun run_problem(const base::List& list, bool mixed) {
 }
 
 }  // namespace
+
+size_t final_step(const PlaneRun& run, double load) {
+  for (size_t k = 0; k < run.reports.size(); ++k)
+    if (run.reports[k].undamped && std::abs(run.reports[k].load - load) < 1e-9) return k;
+  throw std::runtime_error("no final state at load " + std::to_string(load));
+}
 
 PlaneRun run(const base::List& list) {
   return run_problem(list, false);

@@ -52,6 +52,9 @@ struct PlaneRun {
   size_t last() const { return reports.size() - 1; }
 };
 
+/// The undamped state at the end of the stage that ends at a load.
+size_t final_step(const PlaneRun& run, double load);
+
 PlaneRun run(const base::List& list);
 PlaneRun run(const Teuchos::ParameterList& list);
 

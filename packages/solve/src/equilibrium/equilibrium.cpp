@@ -12,6 +12,33 @@ namespace toile::solve {
 
 namespace {
 
+/// What rounded positions leave of a balance, [unknown] N (of rotations N mm): the forces that 1e-12 mm at its node
+/// make, by the tangent's values. A node of stiff fabric leaves much of it, and must not make that of soft fabric count
+/// for nothing. The stiffest direction counts in all three: the garment turns.
+std::vector<double> round_off(const Layout& layout, const Diagonal& diagonal, const Measures& measures,
+                              const double* values) {
+  constexpr double rounded = 1e-12;  // mm
+  std::vector<double> left(layout.maps.dof->getNodeNumElements(), 0.0);
+  for (size_t c = 0; c < diagonal.positions.size(); ++c) {
+    double stiffest = 0.0;
+    for (size_t d = 0; d < 3; ++d)
+      if (layout.dof[c][d] >= 0) stiffest = std::max(stiffest, std::abs(values[diagonal.positions[c][d][d]]));
+    for (const LocalId dof : layout.dof[c])
+      if (dof >= 0) left[static_cast<size_t>(dof)] = rounded * stiffest;
+  }
+  for (size_t n = 0; n < diagonal.rotations.size(); ++n)
+    for (size_t k = 0; k < 2; ++k)
+      if (diagonal.rotations[n][k] >= 0)
+        left[static_cast<size_t>(layout.rotation[n][k])] =
+            rounded / std::sqrt(measures.mass) * std::abs(values[diagonal.rotations[n][k]]);
+  return left;
+}
+
+/// Of a component of the residual, what counts.
+double beyond(double residual, double round_off) {
+  return std::isfinite(residual) ? std::max(0.0, std::abs(residual) - round_off) : residual;
+}
+
 /// Largest rotary over lumped inertia of a shell's node, mm^2.
 double rotary_mass(const Problem& problem) {
   double largest = 0.0;
@@ -66,6 +93,7 @@ void Equilibrium::find_measures() {
   measures_ = measure(layout_, diagonal_, damper_->cluster_mass(), problem_.clusters.size(), values);
   if (contact_) contact_->set_stiffness(problem_.contact.relative_stiffness * std::abs(measures_.stiffness));
   tangent_->set_measures(measures_, contact_stiffness());
+  round_off_ = round_off(layout_, diagonal_, measures_, values);
 }
 
 Forces Equilibrium::no_forces() const {
@@ -120,7 +148,9 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
     for (int d = 0; d < 3; ++d) {
       if (layout_.dof[c][d] < 0) continue;
       const double scale = layout_.is_turned(c) ? layout_.direction(c, d).cwiseProduct(magnitude).norm() : magnitude[d];
-      mine[0] += data[layout_.dof[c][d]] * data[layout_.dof[c][d]];
+      const size_t dof = static_cast<size_t>(layout_.dof[c][d]);
+      const double left = beyond(data[layout_.dof[c][d]], round_off_[dof]);
+      mine[0] += left * left;
       mine[1] += scale * scale;
     }
   }
@@ -130,7 +160,9 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
     if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
     for (size_t k = 0; k < 2; ++k) {
       if (layout_.rotation[n][k] < 0) continue;
-      const double moment = data[layout_.rotation[n][k]], scale = forces.moment_magnitude[2 * n + k];
+      const size_t dof = static_cast<size_t>(layout_.rotation[n][k]);
+      const double moment = beyond(data[layout_.rotation[n][k]], round_off_[dof]);
+      const double scale = forces.moment_magnitude[2 * n + k];
       mine[0] += moment * moment / lever_squared;
       mine[1] += scale * scale / lever_squared;
     }
@@ -147,10 +179,7 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
   all.strain_energy = sums[3];
   all.extrapolated = static_cast<int>(sums[4]);
   all.imbalance.force = std::sqrt(sums[0]);
-  // A garment at rest has only the forces of rounded positions: those of 1e-12 mm at every node (with the default
-  // tolerance) are no imbalance.
-  constexpr double resting = 1e-2;  // mm
-  all.imbalance.force_scale = std::max(std::sqrt(sums[1]), resting * measures_.norm);
+  all.imbalance.force_scale = std::sqrt(sums[1]);
   all.imbalance.gap = sums[2] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest;
   return all;
 }

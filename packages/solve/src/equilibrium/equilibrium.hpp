@@ -141,6 +141,7 @@ class Equilibrium {
   std::vector<Term*> terms_;  ///< those that the scene has
   std::optional<Tangent> tangent_;
   Measures measures_;
+  std::vector<double> round_off_;  ///< [owned unknown] what rounded positions leave of a balance, N (of rotations N mm)
   Watch* watch_ = nullptr;
 };
 

@@ -20,12 +20,14 @@ bool pins_carry(const ForceBalance& balance) {
 bool Simulation::Data::finish() {
   constexpr double same_offset = 1e-7;  // mm
   constexpr int most_rounds = 30, rounds_in_place = 2;
+  constexpr double next_to_nothing = 1e-5;  // of the forces
   equilibrium->set_damping(0.0);
   for (int round = 0; round < most_rounds; ++round) {
     if (!solve(1.0)) return false;
     const bool same = equilibrium->update_thickness(*z, 1.0, same_offset) == 0.0;
-    // Again from there: where fabric carries tension the residual stiffness then carries next to nothing.
-    const bool kept = round < rounds_in_place && equilibrium->keep_in_place(*z, 1.0);
+    // Again from there, until the residual stiffness carries next to nothing: slack fabric may have far to go.
+    const bool again = round < rounds_in_place || equilibrium->kept_residual(*z, 1.0) > next_to_nothing;
+    const bool kept = again && round + 1 < most_rounds && equilibrium->keep_in_place(*z, 1.0);
     if (same && !kept) return true;
     equilibrium->retract(*z, 1.0);
   }

@@ -83,6 +83,15 @@ void Simulation::Data::judge(const StepReport& last) {
             "there, and may snap early or be too soft or too stiff. Take more elements";
     warnings.push_back(where() + text.str());
   }
+  constexpr double most_kept = 1e-3;
+  if (last.accuracy.kept > most_kept) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "the residual stiffness of slack fabric still carries " << 100.0 * last.accuracy.kept
+         << " % of the forces at its end: slack fabric is not where it would come to rest. Give the fabric a smaller "
+            "\"residual stiffness\"";
+    warnings.push_back(where() + text.str());
+  }
   tell_of_damping();
   if (stage.damping.active && energies.dissipated > stage.damping.limit * energies.largest)
     warnings.push_back(where() +
