@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "report.hpp"
 #include "run.hpp"
 #include "stop_signal.hpp"
 #include "toile/base/error.hpp"
+#include "toile/report/report.hpp"
 #include "toile/result/available.hpp"
 #include "toile/run/outputs.hpp"
 
@@ -36,9 +38,39 @@ bool may_go_on(const run::Session& session, base::ExitCode code, size_t steps_be
   return steps > 0 && !session.record().stopped().empty();
 }
 
+void write_page(run::Session& session, const RunArguments& arguments) {
+  const std::string folder = folder_of(arguments);
+  const std::string text = write_report_page(folder + "/results.exo", folder + "/" + report_name);
+  if (!text.empty()) session.log().info(text);
+}
+
+/// The page of a run that failed shows its last converged state, and why it failed. What failed is told, whatever comes
+/// of the page.
+void write_page_of_failure(run::Session& session, const RunArguments& arguments) {
+  if (session.record().reports().empty()) return;
+  try {
+    write_page(session, arguments);
+  } catch (const base::Error& error) {
+    session.log().warn(error.what());
+  }
+}
+
 int run(const RunArguments& arguments) {
   run::Session session(arguments.scene, options_of(arguments));
-  run_session(session, arguments);
+  if (!arguments.report) {
+    run_session(session, arguments);
+    return static_cast<int>(base::ExitCode::success);
+  }
+  if (!report::available() || !result::files_available())
+    throw base::InputError("run --report: this build of Toile writes no reports (configured with TOILE_ENABLE_" +
+                           std::string(report::available() ? "RESULT" : "REPORT") + "=OFF)");
+  try {
+    run_session(session, arguments);
+  } catch (const base::Error&) {
+    write_page_of_failure(session, arguments);
+    throw;
+  }
+  write_page(session, arguments);
   return static_cast<int>(base::ExitCode::success);
 }
 
@@ -83,6 +115,7 @@ void add_run(CLI::App& program, Chosen& chosen) {
   run->add_option("--heartbeat", arguments->heartbeat,
                   "Seconds without a line after which the iterations of a step are told of (default: 5)")
       ->check(CLI::Range(0.0, 1e9));
+  run->add_flag("--report", arguments->report, "Write report.html too, one page of the results for any browser");
   run->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
   run->add_flag("--restart", arguments->restart,
                 "Go on after the last step that is in the folder of the results, from its restart.h5");

@@ -12,6 +12,7 @@ struct RunArguments {
   std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
   int threads = 1;          ///< for the element loops of each rank
   bool quiet = false;
+  bool report = false;         ///< write the page of the results too
   bool restart = false;        ///< go on after the last step in the folder
   bool allow_plugins = false;  ///< the scene may load programs
   double heartbeat = 5.0;      ///< s without a line after which a step that is sought is told of

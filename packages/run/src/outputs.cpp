@@ -29,6 +29,7 @@ namespace toile::run {
   OUTPUT(slides)              \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
+  OUTPUT(run_record)          \
   OUTPUT(checks)
 
 #define TOILE_DECLARE(name) Output name##_output();
