@@ -3,6 +3,7 @@ option(TOILE_ENABLE_TESTS "Build the tests" ON)
 option(TOILE_ENABLE_BENCHMARKS "Build the benchmarks" ON)
 option(TOILE_ENABLE_BODY "Bodies and contact (needs CGAL, CHOLMOD)" ON)
 option(TOILE_ENABLE_RESULT "Exodus and HDF5 files; without them a run writes tables and plots only" ON)
+option(TOILE_ENABLE_REPORT "Reports: one HTML page of a run (needs nlohmann_json, Boost)" ON)
 # Debian's own Python has the headers and NumPy; another one is named by -DPython3_ROOT_DIR=...
 set(Python3_FIND_STRATEGY LOCATION)
 if(NOT DEFINED Python3_ROOT_DIR)
@@ -23,10 +24,10 @@ endif()
 get_cmake_property(toile_cache CACHE_VARIABLES)
 list(FILTER toile_cache INCLUDE REGEX "^TOILE_ENABLE_")
 foreach(switch IN LISTS toile_cache)
-  if(NOT switch MATCHES "^TOILE_ENABLE_(TESTS|BENCHMARKS|BODY|RESULT|PYTHON)$")
+  if(NOT switch MATCHES "^TOILE_ENABLE_(TESTS|BENCHMARKS|BODY|RESULT|REPORT|PYTHON)$")
     unset(${switch} CACHE)
-    message(FATAL_ERROR "${switch}: there is no such switch. Valid are TOILE_ENABLE_BODY, TOILE_ENABLE_RESULT "
-      "(packages), TOILE_ENABLE_PYTHON, and TOILE_ENABLE_TESTS, TOILE_ENABLE_BENCHMARKS; the other packages are always needed")
+    message(FATAL_ERROR "${switch}: there is no such switch. Valid are TOILE_ENABLE_BODY, TOILE_ENABLE_RESULT, "
+      "TOILE_ENABLE_REPORT (packages), TOILE_ENABLE_PYTHON, and TOILE_ENABLE_TESTS, TOILE_ENABLE_BENCHMARKS; the other packages are always needed")
   endif()
 endforeach()
 # Off for users: another compiler or processor may warn of what is none of theirs. CI switches it on.

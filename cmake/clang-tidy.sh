@@ -33,7 +33,7 @@ originals() { light "$1" | sed "s|.*|#include \"$PWD/&\"|"; }
 
 flags="$(grep -ohE -- '-(I|isystem )[^ "]+' build/release/compile_commands.json | sort -u)"
 # Texts that the build defines: which ones does not matter here.
-definitions='-DTOILE_VERSION="" -DTOILE_SOURCE_DIR="" -DTOILE_PROGRAM="" -DTOILE_MPIEXEC="" -DTOILE_FULL_DISK="" -DTOILE_MESHER="" -DTOILE_EXAMPLE="" -DTOILE_MANNEQUIN_BODY="" -DTOILE_HAS_BODY=1 -DTOILE_HAS_RESULT=1'
+definitions='-DTOILE_VERSION="" -DTOILE_SOURCE_DIR="" -DTOILE_PROGRAM="" -DTOILE_MPIEXEC="" -DTOILE_FULL_DISK="" -DTOILE_MESHER="" -DTOILE_EXAMPLE="" -DTOILE_MANNEQUIN_BODY="" -DTOILE_HAS_BODY=1 -DTOILE_HAS_RESULT=1 -DTOILE_HAS_REPORT=1'
 checks=-bugprone-suspicious-include
 status=0
 for folder in "$@"; do

@@ -5,6 +5,7 @@ namespace toile::app {
 // Every command: each is a function add_NAME() in a source of its own.
 #define TOILE_COMMANDS(COMMAND) \
   COMMAND(run)                  \
+  COMMAND(report)               \
   COMMAND(check)                \
   COMMAND(dress)                \
   COMMAND(material_check)       \

@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "report.hpp"
 #include "run.hpp"
 #include "stop_signal.hpp"
 #include "toile/base/error.hpp"
+#include "toile/report/report.hpp"
 #include "toile/result/available.hpp"
 #include "toile/run/accuracy.hpp"
 #include "toile/run/outputs.hpp"
@@ -47,10 +49,45 @@ std::unique_ptr<run::Session> finer_session(const RunArguments& arguments, doubl
   return std::make_unique<run::Session>(content, arguments.scene, options_of(arguments));
 }
 
+void write_page(run::Session& session, const RunArguments& arguments) {
+  const std::string folder = folder_of(arguments);
+  const std::string text = write_report_page(folder + "/results.exo", folder + "/" + report_name);
+  if (!text.empty()) session.log().info(text);
+}
+
+/// The page of a run that failed shows its last converged state, and why it failed. What failed is told, whatever comes
+/// of the page.
+void write_page_of_failure(run::Session& session, const RunArguments& arguments) {
+  if (session.record().reports().empty()) return;
+  try {
+    write_page(session, arguments);
+  } catch (const base::Error& error) {
+    session.log().warn(error.what());
+  }
+}
+
+/// Writes the page of the results too, if it is asked for.
+void run_and_report(run::Session& session, const RunArguments& arguments) {
+  if (!arguments.report) {
+    run_session(session, arguments);
+    return;
+  }
+  try {
+    run_session(session, arguments);
+  } catch (const base::Error&) {
+    write_page_of_failure(session, arguments);
+    throw;
+  }
+  write_page(session, arguments);
+}
+
 int run(const RunArguments& arguments) {
   auto first = std::make_unique<run::Session>(arguments.scene, options_of(arguments));
+  if (arguments.report && (!report::available() || !result::files_available()))
+    throw base::InputError("run --report: this build of Toile writes no reports (configured with TOILE_ENABLE_" +
+                           std::string(report::available() ? "RESULT" : "REPORT") + "=OFF)");
   if (!first->scene().accuracy()) {
-    run_session(*first, arguments);
+    run_and_report(*first, arguments);
     return static_cast<int>(base::ExitCode::success);
   }
   if (arguments.restart)
@@ -61,7 +98,7 @@ int run(const RunArguments& arguments) {
     return finer_session(arguments, own * finer);
   };
   run::run_to_accuracy(
-      start, [&](run::Session& session) { run_session(session, arguments); }, folder_of(arguments));
+      start, [&](run::Session& session) { run_and_report(session, arguments); }, folder_of(arguments));
   return static_cast<int>(base::ExitCode::success);
 }
 
@@ -106,6 +143,7 @@ void add_run(CLI::App& program, Chosen& chosen) {
   run->add_option("--heartbeat", arguments->heartbeat,
                   "Seconds without a line after which the iterations of a step are told of (default: 5)")
       ->check(CLI::Range(0.0, 1e9));
+  run->add_flag("--report", arguments->report, "Write report.html too, one page of the results for any browser");
   run->add_flag("--quiet", arguments->quiet, "Print errors and warnings only");
   run->add_flag("--no-pictures", arguments->no_pictures, "Write tables without the plots beside them");
   run->add_flag("--restart", arguments->restart,

@@ -12,7 +12,8 @@ struct RunArguments {
   std::string output = "";  ///< folder of the results; empty: results/<name of the scene>
   int threads = 1;          ///< for the element loops of each rank
   bool quiet = false;
-  bool no_pictures = false;
+  bool report = false;         ///< write the page of the results too
+  bool no_pictures = false;    ///< tables without plots
   bool restart = false;        ///< go on after the last step in the folder
   bool allow_plugins = false;  ///< the scene may load programs
   double heartbeat = 5.0;      ///< s without a line after which a step that is sought is told of

@@ -2,6 +2,7 @@
 #include "toile/result/available.hpp"
 #include "toile/result/exodus_writer.hpp"
 #include "toile/result/history.hpp"
+#include "toile/result/results_file.hpp"
 #include "toile/result/state_file.hpp"
 
 namespace toile::result {
@@ -30,6 +31,11 @@ void History::append(const std::vector<double>&) {
 void write_state(const std::string&, const StateData&) {}
 StateData read_state(const std::string& path) {
   throw base::InputError(path + ": this build of Toile reads no HDF5 (configured with TOILE_ENABLE_RESULT=OFF)");
+}
+
+Results read_results(const std::string& path) {
+  throw base::InputError(path +
+                         ": this build of Toile reads no Exodus files (configured with TOILE_ENABLE_RESULT=OFF)");
 }
 
 }  // namespace toile::result

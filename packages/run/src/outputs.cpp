@@ -30,6 +30,7 @@ namespace toile::run {
   OUTPUT(figures)             \
   OUTPUT(summary)             \
   OUTPUT(findings)            \
+  OUTPUT(run_record)          \
   OUTPUT(checks)
 
 #define TOILE_DECLARE(name) Output name##_output();

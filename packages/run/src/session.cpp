@@ -91,8 +91,10 @@ void Session::run() {
   try {
     run_stages();
   } catch (const base::SolveError& error) {
+    record_.fail(error.what());
     throw base::SolveError(error.what() + tell_failure());
-  } catch (...) {
+  } catch (const std::exception& error) {
+    record_.fail(error.what());
     if (alike_) tell_failure();
     throw;
   }

@@ -27,5 +27,15 @@ TEST_F(Switches, TensileSceneIsSolved) {
   EXPECT_EQ(run.err.find("TOILE_ENABLE_RESULT=OFF") == std::string::npos, TOILE_HAS_RESULT);
 }
 
+// A report that cannot be written is refused before anything is solved.
+TEST_F(Switches, ReportIsRefusedIfItWasLeftOut) {
+  write_scene("strip");
+  const bool can = TOILE_HAS_REPORT && TOILE_HAS_RESULT;
+  const Outcome run = toile("run scene.xml --report");
+  EXPECT_EQ(run.status, can ? 0 : 2) << run.err;
+  EXPECT_EQ(exists("results/scene/report.html"), can);
+  EXPECT_EQ(exists("results/scene/force-curves.csv"), can);
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -51,6 +51,8 @@ class Record {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Why a stage had to end before its time, although it might go on; empty: none had to.
   const std::string& stopped() const { return stopped_; }
+  /// Why the run failed; empty: it did not.
+  const std::string& failure() const { return failure_; }
 
   /// A step was accepted, from which the run can go on.
   void add(const solve::StepReport& report, const solve::State& state, solve::Checkpoint checkpoint);
@@ -59,6 +61,8 @@ class Record {
   /// It goes on after the steps of an earlier one, with their displacements of points and their distances.
   void resume(solve::Checkpoint checkpoint, std::vector<std::vector<solve::Vec3>> points,
               std::vector<std::vector<double>> distances);
+  /// The run ends before its end.
+  void fail(std::string reason) { failure_ = std::move(reason); }
   /// A stage ended or failed.
   void follow(const solve::Simulation& simulation);
 
@@ -71,7 +75,7 @@ class Record {
   std::vector<std::vector<double>> distances_;
   solve::SolveStatistics statistics_;
   std::vector<std::string> notes_, warnings_;
-  std::string stopped_;
+  std::string stopped_, failure_;
   scene::Fingerprint fingerprint_;
   std::optional<solve::Checkpoint> checkpoint_;
   mutable std::shared_ptr<const solve::Fields> fields_;  ///< null: not asked for in this state

@@ -1,0 +1,76 @@
+#include "check_outcomes.hpp"
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "figures.hpp"
+#include "toile/base/units.hpp"
+
+namespace toile::run {
+
+namespace {
+
+std::string unit_of(const scene::Check& check) {
+  if (check.sections.size() == 1 || check.quantity == "largest pressure" ||
+      check.quantity == "smallest principal stress")
+    return "kPa";
+  return check.quantity == "largest gap" ? "mm" : "";
+}
+
+/// Pressure (kPa) of the section that a check names; NaN and the reason if there is none or more than one.
+double section_pressure(const std::string& title, const PressureReport& pressure, std::string& problem) {
+  std::vector<const result::LevelRow*> rows;
+  std::string titles;
+  for (const result::LevelRow& row : pressure.levels) {
+    if (row.title() == title) return row.reached() ? base::mpa_to_kpa(row.pressure_mean) : NAN;
+    if (row.name != title) continue;
+    rows.push_back(&row);
+    titles += (titles.empty() ? "" : ", ") + row.title();
+  }
+  problem = rows.empty() ? "no section is named \"" + title + "\""
+                         : "level \"" + title + "\" has the sections " + titles + "; name one of them";
+  return NAN;
+}
+
+double value_of(const scene::Check& check, const Figures& f, const PressureReport& pressure, std::string& problem) {
+  if (check.sections.empty()) {
+    const std::map<std::string, double> values = {
+        {"largest pressure", f.largest_pressure},   {"smallest principal stress", f.smallest_stress},
+        {"force balance", f.force_balance},         {"largest gap", f.largest_gap},
+        {"dissipation ratio", f.dissipation_ratio}, {"extrapolated elements", f.extrapolated}};
+    return values.at(check.quantity);
+  }
+  const double first = section_pressure(check.sections[0], pressure, problem);
+  return check.sections.size() == 1 ? first : first / section_pressure(check.sections[1], pressure, problem);
+}
+
+std::string message_of(const CheckOutcome& outcome, const std::string& problem) {
+  std::ostringstream message;
+  message << "check \"" << outcome.name << "\" does not hold: " << outcome.quantity;
+  if (std::isnan(outcome.value))
+    message << " has no value" << (problem.empty() ? ": the garment does not reach it" : ": " + problem);
+  else
+    message << " is " << outcome.value << (outcome.unit.empty() ? "" : " " + outcome.unit)
+            << ", allowed: " << outcome.allowed;
+  return message.str();
+}
+
+}  // namespace
+
+std::vector<CheckOutcome> check_outcomes(const Record& record) {
+  std::vector<CheckOutcome> outcomes;
+  if (record.scene().checks().empty()) return outcomes;
+  const Figures figures = figures_of(record.fields(), record.last());
+  for (const scene::Check& check : record.scene().checks()) {
+    std::string problem;
+    CheckOutcome outcome{check.name, check.quantity, value_of(check, figures, record.pressure(), problem),
+                         unit_of(check), base::Range{check.lower, check.upper}.text()};
+    outcome.holds = outcome.value >= check.lower && outcome.value <= check.upper;
+    if (!outcome.holds) outcome.message = message_of(outcome, problem);
+    outcomes.push_back(outcome);
+  }
+  return outcomes;
+}
+
+}  // namespace toile::run
