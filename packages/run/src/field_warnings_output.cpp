@@ -1,6 +1,8 @@
 // What limits the trust in the last state: levels that are not reached or open, a garment that does not press, fabric
-// outside its calibrated range, nodes inside the body, contact off the smooth surface.
+// outside its calibrated range, nodes inside the body, contact off the smooth surface, edges that the mesh does not
+// see.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -35,6 +37,40 @@ std::string held_inside(const scene::Scene& scene, const solve::Fields& fields) 
   return text.str();
 }
 
+/// Where the body turns so far from one node in contact to the next that no pressure between them means anything. Round
+/// a circle of that curvature there would be fewer than eight elements: the pressure is a mean over much of the edge,
+/// and its error is larger than what is estimated. Empty: nowhere.
+std::string sharp_edges(const scene::Scene& scene, const solve::Fields& fields) {
+  constexpr double most = M_PI / 4.0;
+  double largest = most;
+  const solve::Vec3* place = nullptr;
+  int count = 0;
+  for (const mesh::Block& block : scene.garment().mesh.blocks) {
+    const auto corners = static_cast<std::size_t>(block.nodes_per_element);
+    for (std::size_t e = 0; e < static_cast<std::size_t>(block.size()); ++e) {
+      double turn = 0.0;
+      for (std::size_t k = 0; k < corners; ++k) {
+        const int a = block.connectivity[e * corners + k], b = block.connectivity[e * corners + (k + 1) % corners];
+        if (!(fields.contact_force[a] > 0.0 && fields.contact_force[b] > 0.0)) continue;
+        const double angle = std::acos(std::clamp(fields.normal[a].dot(fields.normal[b]), -1.0, 1.0));
+        turn = std::max(turn, angle);
+        if (angle <= largest) continue;
+        largest = angle;
+        place = &fields.position[a];
+      }
+      count += turn > most ? 1 : 0;
+    }
+  }
+  if (place == nullptr) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "the body turns by up to " << largest * 180.0 / M_PI << " degrees within one element, in " << count
+       << " elements by more than 45, most near (" << place->x() << ", " << place->y() << ", " << place->z()
+       << ") mm: the mesh does not see such an edge, and neither the pressure there nor its error can be trusted; make "
+          "the elements smaller than its radius";
+  return text.str();
+}
+
 /// A garment that does not press may be right, but nobody runs a scene for it.
 bool is_idle(const scene::Scene& scene, const solve::Fields& fields) {
   constexpr double nothing = 1e-7;  // MPa
@@ -46,6 +82,7 @@ std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::
                                         const solve::StepReport& report) {
   std::vector<std::string> warnings;
   if (const std::string inside = held_inside(scene, fields); !inside.empty()) warnings.push_back(inside);
+  if (const std::string edges = sharp_edges(scene, fields); !edges.empty()) warnings.push_back(edges);
   if (report.extrapolated > 0) {
     std::ostringstream text;
     text << "outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "

@@ -66,7 +66,8 @@ std::vector<std::string> command_of(const Case& one, const RunOptions& options) 
   std::vector<std::string> command;
   if (one.ranks > 1)
     command = {"mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "-n", std::to_string(one.ranks)};
-  for (const char* word : {options.program.c_str(), "run", "case.xml", "--output", ".", "--quiet", "--no-pictures", "--threads"})
+  for (const char* word :
+       {options.program.c_str(), "run", "case.xml", "--output", ".", "--quiet", "--no-pictures", "--threads"})
     command.emplace_back(word);
   command.push_back(std::to_string(one.threads));
   if (options.allow_plugins) command.emplace_back("--allow-plugins");
