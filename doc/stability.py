@@ -8,6 +8,7 @@ the worst cells stands at the end of the page.
 """
 import collections
 import os
+import re
 import sys
 
 import study_tables as tables
@@ -21,8 +22,10 @@ most its own error bar and 2 % together. Of a pressure the bar is the one that t
 VERDICTS = ["right", "warned", "refused", "wrong", "crashed", "endless"]
 
 
-def first_line(text):
-    return text.split("\n")[0].replace("|", "/")
+def reason_of(text):
+    """The first sentence of a reason, without the path of the file and without the numbers that differ from cell to cell."""
+    sentence = re.split(r"\. |; |\n", re.sub(r"^[./]*input/", "input/", text))[0]
+    return re.sub(r"\d+\.?\d*", "..", sentence).replace("|", "/")
 
 
 def part(folder):
@@ -37,7 +40,7 @@ def part(folder):
             text += f"\n| {axis} | " + " | ".join(VERDICTS) + " |\n|---|" + "---|" * len(VERDICTS) + "\n"
             for value, count in counts.items():
                 text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in VERDICTS) + " |\n"
-    reasons = collections.Counter((row["verdict"], first_line(row["reason"])) for row in rows if row["verdict"] != "right")
+    reasons = collections.Counter((row["verdict"], reason_of(row["reason"])) for row in rows if row["verdict"] != "right")
     if reasons:
         text += "\n| cells | verdict | reason |\n|---|---|---|\n"
         for (verdict, reason), count in reasons.most_common():
@@ -51,7 +54,7 @@ def worst(folder, most=8):
     rows.sort(key=lambda row: -float(row["error [%]"]))
     text = "\n| cell | verdict | error % | warning |\n|---|---|---|---|\n"
     for row in rows[:most]:
-        text += f"| {row['case'][5:]} | {row['verdict']} | {tables.rounded(row['error [%]'])} | {first_line(row['reason'])} |\n"
+        text += f"| {row['case'][5:]} | {row['verdict']} | {tables.rounded(row['error [%]'])} | {reason_of(row['reason'])} |\n"
     return text
 
 

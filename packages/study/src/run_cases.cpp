@@ -113,6 +113,7 @@ std::optional<Outcome> run_case(const Case& one, const std::string& folder, cons
   base::ProcessOptions process;
   process.folder = folder;
   process.most_seconds = study.most_seconds;
+  process.as_started = true;
   process.stop = options.stop;
   const base::ProcessEnd end = base::run_process(command_of(one, options), process);
   if (end.stopped) return std::nullopt;
