@@ -11,7 +11,7 @@ HEAD = """# What can be left out, and what it costs
 
 Made by `doc/leave-out.py` from `input/leave-out.xml`: a strip of 3,072 elements pulled in a few steps, and the same with one
 part more. The least processor time of three runs, in which starting the program is contained; what is not asked for is not
-built: no unknown, no phase and no call of it is there, which `test/run/leave_out_test.cpp` counts.
+built: no unknown and no object of it is there, which `test/run/leave_out_test.cpp` counts.
 
 | part | unknowns | Newton iterations | factorisations | processor time s | of that without | memory MB | force N |
 |---|---|---|---|---|---|---|---|
