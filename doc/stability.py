@@ -2,11 +2,13 @@
 """Runs the stability matrix input/stability.xml and makes of it doc/stability.md.
 
 Usage, from the project's folder: doc/stability.py [PATH-OF-toile] [jobs]
-Results stay in results/stability; cells that are there already are not run again. What doc/stability-explained.md says of
+Results stay in results/stability; cells that are there already are not run again. With --page in the place of the program
+only the page is made, of the results that are there. What doc/stability-explained.md says of
 the worst cells stands at the end of the page.
 """
 import collections
 import os
+import re
 import sys
 
 import study_tables as tables
@@ -20,8 +22,10 @@ most its own error bar and 2 % together. Of a pressure the bar is the one that t
 VERDICTS = ["right", "warned", "refused", "wrong", "crashed", "endless"]
 
 
-def first_line(text):
-    return text.split("\n")[0].replace("|", "/")
+def reason_of(text):
+    """The first sentence of a reason, without the path of the file and without the numbers that differ from cell to cell."""
+    sentence = re.split(r"\. |; |\n", re.sub(r"^[./]*input/", "input/", text))[0]
+    return re.sub(r"\d+\.?\d*", "..", sentence).replace("|", "/")
 
 
 def part(folder):
@@ -36,7 +40,7 @@ def part(folder):
             text += f"\n| {axis} | " + " | ".join(VERDICTS) + " |\n|---|" + "---|" * len(VERDICTS) + "\n"
             for value, count in counts.items():
                 text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in VERDICTS) + " |\n"
-    reasons = collections.Counter((row["verdict"], first_line(row["reason"])) for row in rows if row["verdict"] != "right")
+    reasons = collections.Counter((row["verdict"], reason_of(row["reason"])) for row in rows if row["verdict"] != "right")
     if reasons:
         text += "\n| cells | verdict | reason |\n|---|---|---|\n"
         for (verdict, reason), count in reasons.most_common():
@@ -50,12 +54,12 @@ def worst(folder, most=8):
     rows.sort(key=lambda row: -float(row["error [%]"]))
     text = "\n| cell | verdict | error % | warning |\n|---|---|---|---|\n"
     for row in rows[:most]:
-        text += f"| {row['case'][5:]} | {row['verdict']} | {tables.rounded(row['error [%]'])} | {first_line(row['reason'])} |\n"
+        text += f"| {row['case'][5:]} | {row['verdict']} | {tables.rounded(row['error [%]'])} | {reason_of(row['reason'])} |\n"
     return text
 
 
 def main(toile="build/release/toile", jobs=1):
-    status = tables.run(toile, "input/stability.xml", "results/stability", jobs)
+    status = 0 if toile == "--page" else tables.run(toile, "input/stability.xml", "results/stability", jobs)
     if status not in (0, 4):
         sys.exit("the matrix could not be run")
     total, text = collections.Counter(), ""

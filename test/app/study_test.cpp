@@ -120,6 +120,13 @@ TEST_F(StudyCommand, TellsWhatIsWrong) {
   EXPECT_THAT(endless.out, HasSubstr("it did not end in 0.01 s"));
 }
 
+// A case may run on several ranks, although the study itself is an MPI program.
+TEST_F(StudyCommand, RunsACaseOnTwoRanks) {
+  write_study(change("ranks", "run/ranks", "2"));
+  const Outcome run = toile("study tubes.xml");
+  EXPECT_THAT(run.out, HasSubstr("1 cases: 1 ran")) << run.err;
+}
+
 // A path that is not in the scene ends the study with status 2 before anything runs.
 TEST_F(StudyCommand, RefusesAPathThatDoesNotExist) {
   write_study(change("around", "Panels/tube/elements acros", "12"));

@@ -9,6 +9,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "toile/base/error.hpp"
@@ -71,6 +72,25 @@ void wait_for(pid_t process, const ProcessOptions& options, ProcessEnd& end) {
 
 }  // namespace
 
+namespace {
+
+/// The environment that this program was started with.
+std::vector<std::string> first_environment() {
+  std::vector<std::string> variables;
+  std::ifstream file("/proc/self/environ", std::ios::binary);
+  for (std::string variable; std::getline(file, variable, '\0');) variables.push_back(variable);
+  return variables;
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
+}  // namespace
+
 ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   const MemoryFile input(options.input), output, errors;
   posix_spawn_file_actions_t actions;
@@ -83,12 +103,13 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+  std::vector<char*> words = pointers(command);
+  const std::vector<std::string> variables = options.as_started ? first_environment() : std::vector<std::string>();
+  std::vector<char*> started_with = pointers(variables);
   pid_t process = 0;
   ProcessEnd end;
-  end.found = posix_spawnp(&process, words[0], &actions, &attributes, words.data(), environ) == 0;
+  end.found = posix_spawnp(&process, words[0], &actions, &attributes, words.data(),
+                           options.as_started ? started_with.data() : environ) == 0;
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (!end.found) return end;

@@ -115,7 +115,7 @@ std::string cheapest_text(const Study& study, const Evaluation& e) {
     }
     table.push_back(cells);
   }
-  return "Cheapest setting by " + time_title(study) + "\n" + table_text(table);
+  return table.empty() ? "" : "Cheapest setting by " + time_title(study) + "\n" + table_text(table);
 }
 
 std::string counts_text(const Evaluation& e) {

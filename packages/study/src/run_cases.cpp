@@ -66,7 +66,8 @@ std::vector<std::string> command_of(const Case& one, const RunOptions& options) 
   std::vector<std::string> command;
   if (one.ranks > 1)
     command = {"mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "-n", std::to_string(one.ranks)};
-  for (const char* word : {options.program.c_str(), "run", "case.xml", "--output", ".", "--quiet", "--no-pictures", "--threads"})
+  for (const char* word :
+       {options.program.c_str(), "run", "case.xml", "--output", ".", "--quiet", "--no-pictures", "--threads"})
     command.emplace_back(word);
   command.push_back(std::to_string(one.threads));
   if (options.allow_plugins) command.emplace_back("--allow-plugins");
@@ -112,6 +113,7 @@ std::optional<Outcome> run_case(const Case& one, const std::string& folder, cons
   base::ProcessOptions process;
   process.folder = folder;
   process.most_seconds = study.most_seconds;
+  process.as_started = true;
   process.stop = options.stop;
   const base::ProcessEnd end = base::run_process(command_of(one, options), process);
   if (end.stopped) return std::nullopt;

@@ -84,8 +84,8 @@ base::Spec study_spec() {
               "What a case costs: the time that the user waits, or that of all processors, which does not depend on "
               "what else the machine does.",
               {"wall", "processor"}, std::string("wall"))
-      .reals("targets", "%", "Errors for which the cheapest setting is looked for.", base::Reals{5.0, 1.0, 0.2},
-             Range::positive())
+      .reals("targets", "%", "Errors for which the cheapest setting is looked for; {}: none.",
+             base::Reals{5.0, 1.0, 0.2}, Range::positive())
       .real(
           "tolerance", "%",
           "A quantity is right if its error is at most its own error bar and this share of it together; a case that is "

@@ -21,7 +21,7 @@ struct Extrapolation {
 
 /// `sizes`: of the elements, falling; `values`: of as many meshes. Richardson (1911) with the observed order on meshes
 /// of any ratio; Roache, Annu. Rev. Fluid Mech. 29 (1997) 123. It is trusted if the three finest meshes come nearer
-/// from one side, the order is 0.5 to 4.5, and it is within 0.75 of that of the meshes before (of four or more).
+/// from one side, the order is 0.95 to 4.5, and it is within 0.75 of that of the meshes before (of four or more).
 Extrapolation extrapolate(const base::Reals& sizes, const base::Reals& values);
 
 }  // namespace toile::study
