@@ -27,7 +27,7 @@ class View {
     this.parts = [{ name: "garment", surface: garment }, ...(body ? [{ name: "body", surface: body }] : [])];
     for (const part of this.parts) this.addPart(part);
     this.garment = this.parts[0];
-    this.seams = this.addLines(garment.lines(false), 0x1c1b1a);
+    this.seams = this.addLines(garment.lines(false), 0xf2f0ec);
     this.elements = null;
     this.measure();
     this.controls = new L.OrbitControls(this.camera, canvas);
@@ -114,7 +114,9 @@ class View {
 
   colour(name, [low, high]) {
     for (const { surface, mesh } of this.parts) {
-      const colours = mesh.geometry.getAttribute("color"), field = surface.fields.get(name);
+      // Beside a garment with colours the body has none: where the garment ends is seen.
+      const beside = surface !== this.garment.surface && this.garment.mesh.visible && this.garment.surface.fields.has(name);
+      const colours = mesh.geometry.getAttribute("color"), field = beside ? null : surface.fields.get(name);
       const values = field ? surface.cornerValues(field) : null;
       for (let i = 0; i < surface.nodes.length; ++i) {
         const part = values ? (values[i] - low) / (high - low) : NaN;
