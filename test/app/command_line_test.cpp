@@ -47,7 +47,8 @@ TEST_F(CommandLine, SuggestsASubcommand) {
   const Outcome outcome = toile("chek scene.xml");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err,
-            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check dress material identify "
+            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run report check dress material "
+            "identify "
             "body describe\n");
 }
 
@@ -58,7 +59,7 @@ TEST_F(CommandLine, SuggestsAnOption) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,
               "toile: unknown option of \"toile run\" \"--threds\"; did you mean \"--threads\"? "
-              "Valid here: --help --output --threads --heartbeat --quiet --restart --allow-plugins\n");
+              "Valid here: --help --output --threads --heartbeat --report --quiet --restart --allow-plugins\n");
   }
 }
 

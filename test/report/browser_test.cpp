@@ -48,6 +48,7 @@ TEST_F(ReportInBrowser, ShowsTheRun) {
   EXPECT_THAT(found, HasSubstr("data-garment-nodes=\"" + std::to_string(example.garment_nodes) + "\""));
   EXPECT_THAT(found, HasSubstr("data-body-nodes=\"" + std::to_string(example.body_nodes) + "\""));
   EXPECT_THAT(found, Not(HasSubstr("data-error")));
+  EXPECT_THAT(page, HasSubstr(" data-drawn=\""));  // frames of the view
   EXPECT_THAT(page, HasSubstr("<li class=\"alert\">fabric &lt;/script&gt; is slack</li>"));
   EXPECT_THAT(page, HasSubstr("A sleeve &lt;b&gt;</h1>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">B, ankle</th><td>1.36</td><td>0.042</td><td>0.031</td>"));

@@ -22,7 +22,7 @@ function chart(title, points, options) {
   for (const mark of options.marks || []) marks.push(mark);
   marks.push(P.tip(drawn, P.pointer({ x: "x", y: "y", title: (p) =>
     `${p.name || p.series}\n${options.x}: ${digits(p.x)}\n${options.y}: ${digits(p.y)}${p.error > 0 ? ` ± ${digits(p.error, 2)}` : ""}` })));
-  const picture = P.plot({ width: 640, height: 350, marginLeft: 60, marginBottom: 44, style: { fontSize: "13px", fontFamily: "inherit" },
+  const picture = P.plot({ width: 640, height: 350, marginTop: 32, marginLeft: 60, marginBottom: 44, style: { fontSize: "13px", fontFamily: "inherit" },
     ariaLabel: title, ariaDescription: `${options.y} over ${options.x}; the table below holds the numbers`,
     x: { label: options.x, labelOffset: 40, nice: true }, y: { label: options.y, grid: true, type: options.log ? "log" : "linear", nice: !options.log,
       tickFormat: options.log ? "~e" : undefined },
