@@ -47,8 +47,8 @@ TEST_F(CommandLine, SuggestsASubcommand) {
   const Outcome outcome = toile("chek scene.xml");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err,
-            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run check dress material identify "
-            "study body describe\n");
+            "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run report check dress material "
+            "identify study body describe\n");
 }
 
 // A misspelt option is answered by the nearest one, whether its value is written with a blank or with "=".
@@ -58,7 +58,7 @@ TEST_F(CommandLine, SuggestsAnOption) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,
               "toile: unknown option of \"toile run\" \"--threds\"; did you mean \"--threads\"? "
-              "Valid here: --help --output --threads --heartbeat --quiet --restart --allow-plugins\n");
+              "Valid here: --help --output --threads --heartbeat --report --quiet --restart --allow-plugins\n");
   }
 }
 

@@ -29,8 +29,9 @@ Example::Example(const std::vector<std::string>& names) {
     writer.write_step(step, data);
   }
   write("pressure-levels.csv",
-        "level,height [mm],mean pressure [kPa],mean pressure [mmHg],error of the mean pressure [kPa]\n"
-        "\"B, ankle\",30,1.357,10.18,0.0421\n");
+        "level,height [mm],mean pressure [kPa],mean pressure [mmHg],error of the mean pressure [kPa],its part by mesh "
+        "[kPa]\n"
+        "\"B, ankle\",30,1.357,10.18,0.0421,0.0312\n");
   write("pressure-points.csv", "point,pressure [kPa],its error [kPa]\nheel,2.468,0.135\n");
   write("run.json", R"({"format": "toile run 1", "title": "A sleeve <b>", "end": "reached", "failure": "", "steps": 2,
     "warnings": ["fabric </script> is slack"], "notes": [], "checks": [], "nodes": 1, "unknowns": 1, "body": "a cylinder",

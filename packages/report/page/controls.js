@@ -92,7 +92,7 @@ class Controls {
     byId("legend-title").textContent = isPressure(unit) ? labelOf(name) : title;
     byId("legend-bar").style.background = `linear-gradient(to top, ${Array.from({ length: 11 }, (_, i) => libraries.interpolateViridis(i / 10)).join()})`;
     byId("legend-text").textContent = `Colours: ${title} from ${low} (dark violet) to ${high} (yellow); values beyond have the colour of the end. ` +
-      "Grey: no value. At first the range is that of 99 of 100 values.";
+      "Grey: no value, or the body beside the garment; without the garment the body has its colours. At first the range is that of 99 of 100 values.";
     byId("canvas").setAttribute("aria-label", `Garment and body in 3-D, coloured by ${title}`);
     this.tell();
     if (this.view) this.view.colour(name, this.range);
@@ -120,6 +120,7 @@ class Controls {
     const what = {};
     for (const id of ["garment", "body", "seams", "elements"]) what[id] = byId(`show-${id}`).checked;
     this.view.show(what);
+    this.view.colour(this.field.name, this.range);
   }
 
   cut() {

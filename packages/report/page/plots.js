@@ -22,9 +22,10 @@ function chart(title, points, options) {
   for (const mark of options.marks || []) marks.push(mark);
   marks.push(P.tip(drawn, P.pointer({ x: "x", y: "y", title: (p) =>
     `${p.name || p.series}\n${options.x}: ${digits(p.x)}\n${options.y}: ${digits(p.y)}${p.error > 0 ? ` ± ${digits(p.error, 2)}` : ""}` })));
-  const picture = P.plot({ width: 640, height: 340, marginLeft: 60, style: { fontSize: "13px", fontFamily: "inherit" },
+  const picture = P.plot({ width: 640, height: 350, marginTop: 32, marginLeft: 60, marginBottom: 44, style: { fontSize: "13px", fontFamily: "inherit" },
     ariaLabel: title, ariaDescription: `${options.y} over ${options.x}; the table below holds the numbers`,
-    x: { label: options.x, nice: true }, y: { label: options.y, grid: true, type: options.log ? "log" : "linear", nice: !options.log },
+    x: { label: options.x, labelOffset: 40, nice: true }, y: { label: options.y, grid: true, type: options.log ? "log" : "linear", nice: !options.log,
+      tickFormat: options.log ? "~e" : undefined },
     color: { legend: several, scheme: "observable10", domain: [...new Set(drawn.map((p) => p.series))] }, marks });
   return make("figure", {}, make("figcaption", {}, title), picture, folded("Numbers", pointTable(title, points, options)));
 }
@@ -47,9 +48,9 @@ function bars(title, rows, label, besideLabel) {
   marks.push(P.dot(shown, { y: "name", x: "y", fill: blue, r: 4.5 }));
   marks.push(P.dot(shown.filter((r) => Number.isFinite(r.beside)), { y: "name", x: "beside", stroke: "#a04b00", symbol: "diamond", r: 4.5 }));
   const longest = Math.max(...shown.map((r) => r.name.length));
-  const picture = P.plot({ width: 640, height: 70 + 28 * shown.length, marginLeft: Math.min(240, 20 + 7.5 * longest), ariaLabel: title,
+  const picture = P.plot({ width: 640, height: 80 + 28 * shown.length, marginBottom: 44, marginLeft: Math.min(240, 20 + 7.5 * longest), ariaLabel: title,
     ariaDescription: "The table below holds the numbers", style: { fontSize: "13px", fontFamily: "inherit" },
-    x: { label, grid: true, nice: true }, y: { label: null, domain: rows.map((r) => r.name) }, marks });
+    x: { label, labelOffset: 40, grid: true, nice: true }, y: { label: null, domain: rows.map((r) => r.name) }, marks });
   const meaning = ["Dot: value; dark bar: its error", shown.some((r) => Number.isFinite(r.low)) ? "light bar: smallest to largest" : "",
     shown.some((r) => Number.isFinite(r.beside)) ? `diamond: ${besideLabel}` : ""].filter(Boolean).join("; ");
   return make("figure", {}, make("figcaption", {}, title), picture, make("p", { class: "hint" }, meaning + "."));

@@ -43,12 +43,15 @@ function namedPressures(table, title) {
   const low = pressuresOf(table, /^smallest pressure \[kPa\]$/), high = pressuresOf(table, /^largest pressure \[kPa\]$/);
   const laplace = pressuresOf(table, /^Laplace T\/r \[kPa\]$/);
   const rows = table.rows.map((row) => ({ name: row[0], y: y(row), error: error(row), low: low(row), high: high(row), beside: laplace(row) }));
-  const first = rows.find((row) => row.y > 0), has = (key) => rows.some((row) => Number.isFinite(row[key]));
+  const parts = table.columns.map((column, c) => ({ c, cause: (/^its part by (.*) \[kPa\]$/.exec(column.full) || [])[1] })).filter((part) => part.cause);
+  const has = (key) => rows.some((row) => Number.isFinite(row[key]));
   const columns = [{ title: table.columns[0].full }, { title: `pressure (${pressureUnit})` }, { title: "error" },
-    ...(has("low") ? [{ title: "smallest" }, { title: "largest" }, { title: "of the first" }] : []), ...(has("beside") ? [{ title: "Laplace T/r" }] : [])];
-  const cells = rows.map((row) => [row.name, digits(row.y, 3) || "not reached", digits(row.error, 2),
-    ...(has("low") ? [digits(row.low, 3), digits(row.high, 3), row.y && first ? `${Math.round(100 * row.y / first.y)} %` : ""] : []),
-    ...(has("beside") ? [digits(row.beside, 3)] : [])]);
+    ...(has("low") ? [{ title: "smallest" }, { title: "largest" }] : []),
+    ...(has("beside") ? [{ title: "Laplace T/r" }] : []), ...parts.map((part) => ({ title: `error by ${part.cause}` }))];
+  const cells = rows.map((row, r) => [row.name, digits(row.y, 3) || "not reached", digits(row.error, 2),
+    ...(has("low") ? [digits(row.low, 3), digits(row.high, 3)] : []),
+    ...(has("beside") ? [digits(row.beside, 3)] : []),
+    ...parts.map((part) => digits(shownValue(numberIn(table.rows[r], part.c), "kPa"), 2))]);
   return make("div", {}, bars(title, rows, `pressure (${pressureUnit})`, "Laplace T/r"), makeTable(`${title}, ${pressureUnit}`, columns, cells),
     folded(`All columns of ${table.name}`, runTable(table)));
 }
@@ -103,7 +106,9 @@ function fillConvergence() {
     plot("Seams and load", ["seam_closing", "load"], "share", { zero: true }), plot("Time since the start", ["wall_time"], "time (s)", { zero: true }));
   const columns = [{ title: "step" }, ...content.history.map((one) => ({ title: withUnit(labelOf(one.name), one.unit) }))];
   const rows = Array.from({ length: content.steps }, (_, i) => [i + 1, ...content.history.map((one) => digits(one.values[i]))]);
-  refill("convergence", plots, folded("Every step in numbers", makeTable("Steps", columns, rows)));
+  const table = makeTable("Steps", columns, rows);
+  // One step makes no curve.
+  refill("convergence", ...(content.steps > 1 ? [plots, folded("Every step in numbers", table)] : [table]));
 }
 
 function fillMesh(garment, body) {

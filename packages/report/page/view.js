@@ -27,7 +27,7 @@ class View {
     this.parts = [{ name: "garment", surface: garment }, ...(body ? [{ name: "body", surface: body }] : [])];
     for (const part of this.parts) this.addPart(part);
     this.garment = this.parts[0];
-    this.seams = this.addLines(garment.lines(false), 0x1c1b1a);
+    this.seams = this.addLines(garment.lines(false), 0xf2f0ec);
     this.elements = null;
     this.measure();
     this.controls = new L.OrbitControls(this.camera, canvas);
@@ -38,10 +38,10 @@ class View {
 
   addPart(part) {
     const L = libraries;
-    // The body gives way where fabric lies on it.
+    // The body gives way where fabric lies on it, by about 0.3 % of the distance: coarse elements cut its curves off.
     const behind = part.name === "body";
     part.material = new L.MeshLambertMaterial({ vertexColors: true, side: L.DoubleSide, polygonOffset: true,
-      polygonOffsetFactor: behind ? 4 : 1, polygonOffsetUnits: behind ? 4 : 1 });
+      polygonOffsetFactor: behind ? 4 : 1, polygonOffsetUnits: behind ? 500 : 1 });
     part.mesh = new L.Mesh(part.surface.geometry(), part.material);
     part.mesh.userData.part = part;
     this.scene.add(part.mesh);
@@ -109,12 +109,17 @@ class View {
     const spread = owner && spreadOf(owner.surface.fields.get(name).values, share);
     if (!spread) return [0, 1];
     const low = spread.lowest >= 0 && spread.low < 0.5 * spread.high ? 0 : spread.low;
-    return spread.high > low ? [low, spread.high] : [spread.lowest, spread.largest > spread.lowest ? spread.largest : spread.lowest + 1];
+    if (spread.high - low > 1e-3 * Math.max(Math.abs(low), Math.abs(spread.high))) return [low, spread.high];
+    // The same nearly everywhere: rounding is no pattern.
+    const [bottom, top] = [Math.min(0, spread.lowest), Math.max(0, spread.largest)];
+    return top > bottom ? [bottom, top] : [0, 1];
   }
 
   colour(name, [low, high]) {
     for (const { surface, mesh } of this.parts) {
-      const colours = mesh.geometry.getAttribute("color"), field = surface.fields.get(name);
+      // Beside a garment with colours the body has none: where the garment ends is seen.
+      const beside = surface !== this.garment.surface && this.garment.mesh.visible && this.garment.surface.fields.has(name);
+      const colours = mesh.geometry.getAttribute("color"), field = beside ? null : surface.fields.get(name);
       const values = field ? surface.cornerValues(field) : null;
       for (let i = 0; i < surface.nodes.length; ++i) {
         const part = values ? (values[i] - low) / (high - low) : NaN;
@@ -155,7 +160,7 @@ class View {
     const hits = ray.intersectObjects(this.parts.map((part) => part.mesh).filter((mesh) => mesh.visible), false);
     const seen = hits.filter((hit) => !this.plane || this.plane.distanceToPoint(hit.point) >= 0);
     // Fabric that lies on the body is seen before it.
-    const near = seen.filter((hit) => hit.distance < (seen[0]?.distance || 0) * 1.001);
+    const near = seen.filter((hit) => hit.distance < (seen[0]?.distance || 0) * 1.003);
     const hit = near.find((one) => one.object.userData.part.name === "garment") || seen[0];
     if (!hit) return null;
     const part = hit.object.userData.part, triangle = hit.faceIndex;
