@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "compression_fault.hpp"
 #include "figures.hpp"
 #include "output.hpp"
 #include "toile/base/error.hpp"
@@ -22,17 +23,8 @@ std::string unit_of(const scene::Check& check) {
 
 /// Pressure (kPa) of the section that a check names; NaN and the reason if there is none or more than one.
 double section_pressure(const std::string& title, const PressureReport& pressure, std::string& problem) {
-  std::vector<const result::LevelRow*> rows;
-  std::string titles;
-  for (const result::LevelRow& row : pressure.levels) {
-    if (row.title() == title) return row.reached() ? base::mpa_to_kpa(row.pressure_mean) : NAN;
-    if (row.name != title) continue;
-    rows.push_back(&row);
-    titles += (titles.empty() ? "" : ", ") + row.title();
-  }
-  problem = rows.empty() ? "no section is named \"" + title + "\""
-                         : "level \"" + title + "\" has the sections " + titles + "; name one of them";
-  return NAN;
+  const result::LevelRow* row = section(pressure, title, problem);
+  return row != nullptr && row->reached() ? base::mpa_to_kpa(row->pressure_mean) : NAN;
 }
 
 double value_of(const scene::Check& check, const Figures& f, const PressureReport& pressure, std::string& problem) {
@@ -53,6 +45,11 @@ std::vector<std::string> failed_checks(const scene::Scene& scene, const Figures&
   std::vector<std::string> failed;
   for (const scene::Check& check : scene.checks()) {
     std::string problem;
+    if (check.compression) {
+      const std::string fault = compression_fault(check, pressure);
+      if (!fault.empty()) failed.push_back(fault);
+      continue;
+    }
     const double value = value_of(check, figures, pressure, problem);
     if (value >= check.lower && value <= check.upper) continue;
     std::ostringstream message;
