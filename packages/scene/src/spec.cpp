@@ -89,9 +89,8 @@ Spec checks_spec() {
           "of magnitudes), largest gap of a node in contact (mm), dissipation ratio, extrapolated elements (their "
           "number, outside the calibrated range of their fabric); pressure at level <level> (kPa, the mean round the "
           "section) or ratio of levels <level> to <level>; or compression class (of the pressure at level B) or "
-          "compression "
-          "class at level <level>. Of several sections at a level one is named as in pressure-levels.csv, for instance "
-          "C (2).")
+          "compression class at level <level>. Of several sections at a level one is named as in pressure-levels.csv, "
+          "for instance C (2).")
       .real("lower", "", "Least allowed value.", -unbounded)
       .real("upper", "", "Greatest allowed value.", unbounded)
       .choice("standard", "Of a compression class: who defines it.", compression_standards(), std::string("RAL-GZ 387"))
