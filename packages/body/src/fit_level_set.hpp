@@ -5,8 +5,8 @@
 
 namespace toile::body {
 
-/// The level set f, and what it would change by if the smoothing's weight were six times as large, to first order in its
-/// logarithm.
+/// The level set f, and what it would change by if the smoothing's weight were six times as large, to first order in
+/// its logarithm.
 struct LevelSetFit {
   SplineField field;
   SplineField doubt;

@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "compression_fault.hpp"
 #include "figures.hpp"
 #include "toile/base/units.hpp"
 
@@ -20,17 +21,8 @@ std::string unit_of(const scene::Check& check) {
 
 /// Pressure (kPa) of the section that a check names; NaN and the reason if there is none or more than one.
 double section_pressure(const std::string& title, const PressureReport& pressure, std::string& problem) {
-  std::vector<const result::LevelRow*> rows;
-  std::string titles;
-  for (const result::LevelRow& row : pressure.levels) {
-    if (row.title() == title) return row.reached() ? base::mpa_to_kpa(row.pressure_mean) : NAN;
-    if (row.name != title) continue;
-    rows.push_back(&row);
-    titles += (titles.empty() ? "" : ", ") + row.title();
-  }
-  problem = rows.empty() ? "no section is named \"" + title + "\""
-                         : "level \"" + title + "\" has the sections " + titles + "; name one of them";
-  return NAN;
+  const result::LevelRow* row = section(pressure, title, problem);
+  return row != nullptr && row->reached() ? base::mpa_to_kpa(row->pressure_mean) : NAN;
 }
 
 double value_of(const scene::Check& check, const Figures& f, const PressureReport& pressure, std::string& problem) {
@@ -56,20 +48,33 @@ std::string message_of(const CheckOutcome& outcome, const std::string& problem) 
   return message.str();
 }
 
+CheckOutcome bounds_outcome(const scene::Check& check, const Figures& figures, const PressureReport& pressure) {
+  std::string problem;
+  CheckOutcome outcome{check.name, check.quantity, value_of(check, figures, pressure, problem), unit_of(check),
+                       base::Range{check.lower, check.upper}.text()};
+  outcome.holds = outcome.value >= check.lower && outcome.value <= check.upper;
+  if (!outcome.holds) outcome.message = message_of(outcome, problem);
+  return outcome;
+}
+
+CheckOutcome class_outcome(const scene::Check& check, const PressureReport& pressure) {
+  std::string problem;
+  const double mmhg = base::mmhg_per_kpa * section_pressure(check.sections.front(), pressure, problem);
+  CheckOutcome outcome{check.name, check.quantity, mmhg, "mmHg", scene::limits_text(*check.compression)};
+  outcome.message = compression_fault(check, pressure);
+  outcome.holds = outcome.message.empty();
+  return outcome;
+}
+
 }  // namespace
 
 std::vector<CheckOutcome> check_outcomes(const Record& record) {
   std::vector<CheckOutcome> outcomes;
   if (record.scene().checks().empty()) return outcomes;
   const Figures figures = figures_of(record.fields(), record.last());
-  for (const scene::Check& check : record.scene().checks()) {
-    std::string problem;
-    CheckOutcome outcome{check.name, check.quantity, value_of(check, figures, record.pressure(), problem),
-                         unit_of(check), base::Range{check.lower, check.upper}.text()};
-    outcome.holds = outcome.value >= check.lower && outcome.value <= check.upper;
-    if (!outcome.holds) outcome.message = message_of(outcome, problem);
-    outcomes.push_back(outcome);
-  }
+  for (const scene::Check& check : record.scene().checks())
+    outcomes.push_back(check.compression ? class_outcome(check, record.pressure())
+                                         : bounds_outcome(check, figures, record.pressure()));
   return outcomes;
 }
 

@@ -86,6 +86,18 @@ std::vector<bool> elements_at_supports(const scene::Scene& scene) {
   return at_support;
 }
 
+const result::LevelRow* section(const PressureReport& pressure, const std::string& title, std::string& problem) {
+  std::string titles;
+  for (const result::LevelRow& row : pressure.levels) {
+    if (row.title() == title) return &row;
+    if (row.name != title) continue;
+    titles += (titles.empty() ? "" : ", ") + row.title();
+  }
+  problem = titles.empty() ? "no section is named \"" + title + "\""
+                           : "level \"" + title + "\" has the sections " + titles + "; name one of them";
+  return nullptr;
+}
+
 PointPressure pressure_at(const solve::Fields& fields, int node) {
   PointPressure at{fields.pressure[node], fields.pressure_error[node], {}, fields.gap[node]};
   for (const solve::ErrorPart& part : solve::error_parts())

@@ -48,7 +48,8 @@ Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
 
 const base::Texts plain_quantities = {"largest pressure", "smallest principal stress", "force balance",
                                       "largest gap",      "dissipation ratio",         "extrapolated elements"};
-const std::string at_level = "pressure at level ", ratio_of = "ratio of levels ";
+const std::string at_level = "pressure at level ", ratio_of = "ratio of levels ", class_of_b = "compression class",
+                  class_at = class_of_b + " at level ";
 
 /// Whether a section's title names a level: "C" and "C (2)" do.
 bool is_level(const std::string& title, const Output& output) {
@@ -74,11 +75,16 @@ std::vector<std::string> sections_of(const base::List& entry, const Output& outp
   std::vector<std::string> titles;
   if (quantity.find(at_level) == 0) {
     titles = {quantity.substr(at_level.size())};
+  } else if (quantity == class_of_b) {
+    titles = {"B"};
+  } else if (quantity.find(class_at) == 0) {
+    titles = {quantity.substr(class_at.size())};
   } else if (quantity.find(ratio_of) == 0) {
     titles = two_titles(entry, quantity.substr(ratio_of.size()), output);
   } else if (std::find(plain_quantities.begin(), plain_quantities.end(), quantity) == plain_quantities.end()) {
     base::Texts valid = plain_quantities;
-    valid.insert(valid.end(), {at_level + "<level>", ratio_of + "<level> to <level>"});
+    valid.insert(valid.end(),
+                 {at_level + "<level>", ratio_of + "<level> to <level>", class_of_b, class_at + "<level>"});
     entry.fail("quantity", "is not a quantity that can be checked" + base::hint(quantity, valid));
   }
   base::Texts valid;
@@ -86,6 +92,24 @@ std::vector<std::string> sections_of(const base::List& entry, const Output& outp
   for (const std::string& title : titles)
     if (!is_level(title, output)) entry.fail("quantity", unknown("level", title, valid));
   return titles;
+}
+
+/// The class that a check of one asks for; none for another quantity.
+std::optional<CompressionClass> compression_of(const base::List& entry) {
+  const bool of_class = entry.word("quantity").find(class_of_b) == 0;
+  const std::vector<std::string> others =
+      of_class ? std::vector<std::string>{"lower", "upper"} : std::vector<std::string>{"standard", "class"};
+  for (const std::string& other : others)
+    if (entry.given(other))
+      entry.fail(other, "does not go with the quantity \"" + entry.word("quantity") + "\"" +
+                            (of_class ? ", whose limits are those of its class" : ""));
+  if (!of_class) return std::nullopt;
+  base::Texts valid;
+  for (const CompressionClass& c : compression_classes(entry.word("standard"))) {
+    if (c.name == entry.word("class")) return c;
+    valid.push_back(c.name);
+  }
+  entry.fail("class", unknown("class of " + entry.word("standard"), entry.word("class"), valid));
 }
 
 bool moves_as_one(const solve::Support& support) {
@@ -180,6 +204,7 @@ std::vector<Check> read_checks(const base::List& list, const Output& output, boo
     Check check{entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")};
     if (check.lower > check.upper) entry.fail("lower", "must not be above \"upper\"");
     check.sections = sections_of(entry, output);
+    check.compression = compression_of(entry);
     const bool of_contact = check.quantity == "largest pressure" || check.quantity == "largest gap";
     if (!with_body && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
     checks.push_back(check);

@@ -104,10 +104,17 @@ Spec checks_spec() {
           "What is bounded: largest pressure or smallest principal stress (kPa), force balance (residual over the sum "
           "of magnitudes), largest gap of a node in contact (mm), dissipation ratio, extrapolated elements (their "
           "number, outside the calibrated range of their fabric); pressure at level <level> (kPa, the mean round the "
-          "section) or ratio of levels <level> to <level>. Of several sections at a level one is named as in "
-          "pressure-levels.csv, for instance C (2).")
+          "section) or ratio of levels <level> to <level>; or compression class (of the pressure at level B) or "
+          "compression class at level <level>. Of several sections at a level one is named as in pressure-levels.csv, "
+          "for instance C (2).")
       .real("lower", "", "Least allowed value.", -unbounded)
-      .real("upper", "", "Greatest allowed value.", unbounded);
+      .real("upper", "", "Greatest allowed value.", unbounded)
+      .choice("standard", "Of a compression class: who defines it.", compression_standards(), std::string("RAL-GZ 387"))
+      .word("class",
+            "Of a compression class: its name, I, II, III or IV, in ENV 12718 A as well. The error of the pressure "
+            "counts: the check holds if all of pressure +- error lies within the class; if a part does, it is not "
+            "decided, which is told and does not hold either.",
+            std::string());
   return Spec("Checks", "Bounds on the result; one that does not hold ends the run with exit status 4.").entries(check);
 }
 

@@ -19,6 +19,10 @@ struct PressureReport {
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report);
 
+/// The section of this title ("C (2)", or "C" if the level has one); null, and the reason, if there is none or more
+/// than one.
+const result::LevelRow* section(const PressureReport& pressure, const std::string& title, std::string& problem);
+
 /// What fabric presses at a point of its own or on a place of the body.
 struct PointPressure {
   double pressure = 0.0, error = 0.0;  ///< MPa; of a place of the body layers are added up

@@ -15,6 +15,7 @@
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
+#include "toile/scene/compression_class.hpp"
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 
@@ -81,6 +82,8 @@ struct Check {
   double lower = 0.0, upper = 0.0;
   /// Titles of sections whose pressure is meant, or the ratio of two; of the others empty.
   std::vector<std::string> sections = {};
+  /// The class that the pressure of the one section is to have, instead of bounds.
+  std::optional<CompressionClass> compression = {};
 };
 
 /// How small the error of the pressure is to be.
