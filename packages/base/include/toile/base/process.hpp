@@ -23,7 +23,8 @@ struct ProcessOptions {
   std::string input;   ///< on its standard input
   std::string folder;  ///< that it runs in; empty: this one
   double most_seconds = std::numeric_limits<double>::infinity();
-  /// With the environment that this program was started with: MPI puts into its own what makes the next one a part of it.
+  /// With the environment that this program was started with: MPI puts into its own what makes the next one a part of
+  /// it.
   bool as_started = false;
   std::function<bool()> stop = {};  ///< asked again and again: true ends it
 };
