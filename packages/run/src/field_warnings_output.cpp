@@ -49,7 +49,9 @@ std::string too_large_elements(const scene::Scene& scene, const solve::Fields& f
     const auto nodes = static_cast<size_t>(block.nodes_per_element);
     for (size_t first = 0; first < block.connectivity.size(); first += nodes) {
       const int* node = &block.connectivity[first];
-      if (!std::all_of(node, node + nodes, [&](int n) { return fields.pressure[n] > 0.0 || fields.contact_force[n] > 0.0; })) continue;
+      if (!std::all_of(node, node + nodes,
+                       [&](int n) { return fields.pressure[n] > 0.0 || fields.contact_force[n] > 0.0; }))
+        continue;
       double turn = 0.0;
       for (size_t i = 0; i < nodes; ++i)
         turn = std::max(
