@@ -4,7 +4,7 @@
 Usage: line.py picture.svg height results/one results/another ... [--panels front,back]
 
 Lengths count along the fabric from the middle of the front towards the wearer's left, on both sides of it. Bands are the
-errors by the mesh. Needs python3-vtk9 and gnuplot (see cmake/debian-packages.txt).
+told errors. Needs python3-vtk9 and gnuplot (see cmake/debian-packages.txt).
 """
 
 import argparse

@@ -19,12 +19,12 @@ def pressures(folder):
 
 
 def values(folder):
-    """{place: (kPa, error)} of the points and levels of a run."""
+    """{place: (kPa, its error by the mesh)} of the points and levels of a run."""
     found = {}
-    for table, place, pressure, error in (("points", "point", "pressure [kPa]", "its error [kPa]"),
-                                          ("levels", "level", "mean pressure [kPa]", "error of the mean pressure [kPa]")):
+    for table, place, pressure in (("points", "point", "pressure [kPa]"), ("levels", "level", "mean pressure [kPa]")):
         with open(os.path.join(folder, f"pressure-{table}.csv"), newline="") as file:
-            found.update({row[place]: (float(row[pressure]), float(row[error])) for row in csv.DictReader(file)})
+            found.update({row[place]: (float(row[pressure]), float(row["its part by mesh [kPa]"]))
+                          for row in csv.DictReader(file)})
     return found
 
 

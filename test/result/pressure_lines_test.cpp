@@ -40,7 +40,9 @@ struct Cone {
     for (const mesh::Vec3& node : mesh.placed) {
       fields.pressure.push_back(cone_pressure(node.z()));
     }
-    fields.pressure_error.assign(mesh.placed.size(), 2e-5);
+    // Two parts of one error of 2e-5.
+    fields.pressure_errors = {{"mesh", std::vector<double>(mesh.placed.size(), 1.2e-5)},
+                              {"body", std::vector<double>(mesh.placed.size(), 1.6e-5)}};
     fields.tied = tied_by_place(mesh);
     set_tension();
     fields.smallest_stress.assign(static_cast<std::size_t>(mesh.elements()), 0.02);
@@ -83,7 +85,7 @@ struct Cone {
       values.insert(values.end(), once.begin(), once.end());
     };
     twice(fields.pressure);
-    twice(fields.pressure_error);
+    for (PressureError& part : fields.pressure_errors) twice(part.values);
     twice(fields.tension);
     twice(fields.smallest_stress);
   }
@@ -98,6 +100,7 @@ void expect_exact(const LevelRow& row, double z) {
   EXPECT_NEAR(row.hoop_tension, 0.06, 1e-15) << z;
   EXPECT_NEAR(row.laplace, 0.06 / row.radius, 1e-15) << z;
   EXPECT_NEAR(row.pressure_error, 2e-5, 1e-16) << z;
+  EXPECT_NEAR(row.error_parts.at(1), 1.6e-5, 1e-16) << z;
   EXPECT_TRUE(row.closed) << z;
 }
 
@@ -143,7 +146,7 @@ TEST(PressureLines, ErrorHoldsWhatTheLineBetweenRowsMisses) {
     Cone cone;
     for (std::size_t n = 0; n < cone.fields.pressure.size(); ++n)
       cone.fields.pressure[n] = pressure(cone.fields.position[n].z());
-    cone.fields.pressure_error.assign(cone.fields.pressure.size(), 0.0);
+    for (PressureError& part : cone.fields.pressure_errors) part.values.assign(part.values.size(), 0.0);
     for (const double share : {0.2, 0.5, 0.7}) {
       const double z = first_height + (7.0 + share) * spacing;
       const LevelRow row = levels(cone.fields, {}, {{"here", z}}).front();

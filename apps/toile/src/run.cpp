@@ -1,3 +1,5 @@
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
 #include <Tpetra_Core.hpp>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +10,7 @@
 #include "stop_signal.hpp"
 #include "toile/base/error.hpp"
 #include "toile/result/available.hpp"
+#include "toile/run/accuracy.hpp"
 #include "toile/run/outputs.hpp"
 
 namespace toile::app {
@@ -36,9 +39,29 @@ bool may_go_on(const run::Session& session, base::ExitCode code, size_t steps_be
   return steps > 0 && !session.record().stopped().empty();
 }
 
+/// The scene with another value of its parameter "finer".
+std::unique_ptr<run::Session> finer_session(const RunArguments& arguments, double finer) {
+  Teuchos::ParameterList content("scene");
+  content.set("include", Teuchos::Array<std::string>(1, std::filesystem::absolute(arguments.scene).string()));
+  content.set("finer", finer);
+  return std::make_unique<run::Session>(content, arguments.scene, options_of(arguments));
+}
+
 int run(const RunArguments& arguments) {
-  run::Session session(arguments.scene, options_of(arguments));
-  run_session(session, arguments);
+  auto first = std::make_unique<run::Session>(arguments.scene, options_of(arguments));
+  if (!first->scene().accuracy()) {
+    run_session(*first, arguments);
+    return static_cast<int>(base::ExitCode::success);
+  }
+  if (arguments.restart)
+    first->list().list("Accuracy").fail("error", "a run to an accuracy starts anew each time; leave out --restart");
+  const double own = first->list().real("finer");
+  const auto start = [&](double finer) {
+    if (first != nullptr) return std::move(first);
+    return finer_session(arguments, own * finer);
+  };
+  run::run_to_accuracy(
+      start, [&](run::Session& session) { run_session(session, arguments); }, folder_of(arguments));
   return static_cast<int>(base::ExitCode::success);
 }
 

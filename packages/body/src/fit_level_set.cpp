@@ -14,6 +14,9 @@ namespace {
 
 constexpr double normal_weight = 0.03 * 0.03;  ///< of |grad f - n|^2 beside f^2, lengths in cells
 constexpr double ridge = 1e-9;                 ///< keeps coefficients that no datum fixes near zero
+/// Of the logarithm of the smoothing: what the surface changes by over it is as large as the error of its curvature, be
+/// that noise of the vertices or the smoothing's own (test_body_doubt).
+constexpr double doubted = 1.8;
 /// The integral of the third derivatives counts as if it were taken over this many cells of thickness everywhere,
 /// whatever the layers of active cells that the surface happens to have.
 constexpr double thickness = 4.0;
@@ -74,8 +77,9 @@ void add_datum(const SheetGrid& grid, int cell, const Datum& datum, NormalEquati
 
 }  // namespace
 
-SplineField fit_level_set(const TriangleMesh& mesh, const SurfaceSamples& samples, double cell, double smoothing) {
-  SheetGrid grid(samples, cell);
+LevelSetFit fit_level_set(const TriangleMesh& mesh, const SurfaceSamples& samples, double cell, double smoothing) {
+  const auto shared = std::make_shared<const SheetGrid>(samples, cell);
+  const SheetGrid& grid = *shared;
   NormalEquations equations(grid);
   const auto areas = vertex_areas(mesh);
   const auto border = border_vertices(mesh);
@@ -95,8 +99,20 @@ SplineField fit_level_set(const TriangleMesh& mesh, const SurfaceSamples& sample
   for (std::size_t c = 0; c < grid.cells().size(); ++c) {
     equations.add(static_cast<int>(c), Matrix64(weights[c] * third_derivatives));
   }
-  const std::vector<double> coefficients = equations.solve(ridge);
-  return {std::move(grid), coefficients};
+  // (D + lambda K) c = b for all lambda, so (D + lambda K) dc/d(log lambda) = -lambda K c.
+  const auto by_smoothing = [&](const std::vector<double>& coefficients) {
+    std::vector<double> right(coefficients.size(), 0.0);
+    for (std::size_t c = 0; c < grid.cells().size(); ++c) {
+      const auto& unknowns = grid.cells()[c].unknowns;
+      Vector64 values;
+      for (int a = 0; a < 64; ++a) values[a] = coefficients[unknowns[a]];
+      const Vector64 product = -doubted * weights[c] * (third_derivatives * values);
+      for (int a = 0; a < 64; ++a) right[unknowns[a]] += product[a];
+    }
+    return right;
+  };
+  const auto [coefficients, doubts] = equations.solve(ridge, by_smoothing);
+  return {{shared, coefficients}, {shared, doubts}};
 }
 
 }  // namespace toile::body

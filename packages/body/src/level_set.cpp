@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "fit_level_set.hpp"
 #include "mesh_geometry.hpp"
@@ -52,6 +53,26 @@ SurfacePoint from_facets(const TriangleTree::Hit& hit, const Vec3& point) {
   return result;
 }
 
+/// Second derivatives of the distance to the zero set, on it: P H P / |grad f|.
+Mat3 weingarten(const SplineField::Value& field) {
+  const double slope = field.gradient.norm();
+  const Vec3 normal = field.gradient / slope;
+  const Mat3 projector = Mat3::Identity() - normal * normal.transpose();
+  return projector * field.hessian * projector / slope;
+}
+
+/// Its derivative, seen in the tangent plane. f bends much across its zero set, where no datum is: terms of second
+/// order in the turn of the normal would count that as curvature.
+Mat3 change_of_weingarten(const SplineField::Value& field, const SplineField::Value& change) {
+  const double slope = field.gradient.norm();
+  const Vec3 normal = field.gradient / slope;
+  const Mat3 projector = Mat3::Identity() - normal * normal.transpose();
+  const Vec3 turn = projector * change.gradient / slope, across = projector * field.hessian * normal;
+  const Mat3 stretched = normal.dot(change.gradient) / slope * field.hessian;
+  const Mat3 turned = turn * across.transpose() + across * turn.transpose();
+  return (projector * (change.hessian - stretched) * projector - turned) / slope;
+}
+
 /// Smaller eigenvalue of I + g W in the tangent plane (the third one is 1). Beyond a centre of curvature it is
 /// negative, and the stationary point no longer the closest one.
 double least_tangential_eigenvalue(const Mat3& offset) {
@@ -85,14 +106,15 @@ class LevelSetSurface final : public Surface {
         start_(std::chrono::steady_clock::now()),
         options_(completed(options, edge_)),
         samples_(samples_of(mesh_, options_.cell)),
-        field_(fit_level_set(mesh_, samples_, options_.cell, options_.smoothing)),
+        fit_(fit_level_set(mesh_, samples_, options_.cell, options_.smoothing)),
         name_(std::move(name)) {
     report_fit();
   }
   SurfacePoint closest(const Vec3& point) const override;
+  SurfaceDoubt doubt(const Vec3& point) const override;
   double range() const override { return range_; }
   TriangleMesh triangles(double) const override { return mesh_; }
-  std::string summary() const override { return name_ + ", " + fit_; }
+  std::string summary() const override { return name_ + ", " + figures_; }
 
  private:
   /// A place on the zero set of one sheet, and the multiplier of point - y - mu grad f(y) = 0.
@@ -108,9 +130,11 @@ class LevelSetSurface final : public Surface {
   bool evaluate(Foot* foot) const;
   /// From the place and multiplier in `foot`. False if there is none, or if it is not the closest point of that sheet.
   bool find_on_sheet(const Vec3& point, Foot* foot, SurfacePoint* result) const;
-  /// In a narrow gap the facets of one sheet may be nearer, and the smooth surface of another. `cell`: of the sheet
-  /// that `result` is on, -1: none.
-  void try_other_sheets(const Vec3& point, int cell, SurfacePoint* result) const;
+  /// In a narrow gap the facets of one sheet may be nearer, and the smooth surface of another. `foot`: that `result` is
+  /// at, its cell -1: none.
+  void try_other_sheets(const Vec3& point, Foot* foot, SurfacePoint* result) const;
+  /// The closest point, and where it is; its cell is -1 if none is found.
+  std::pair<SurfacePoint, Foot> find(const Vec3& point) const;
   void report_fit();
 
   TriangleMesh mesh_;
@@ -119,23 +143,23 @@ class LevelSetSurface final : public Surface {
   std::chrono::steady_clock::time_point start_;
   LevelSetOptions options_;
   SurfaceSamples samples_;
-  SplineField field_;
+  LevelSetFit fit_;
   std::string name_;
-  std::string fit_;
+  std::string figures_;
   double range_ = least_range;
 };
 
 bool LevelSetSurface::evaluate(Foot* foot) const {
-  foot->cell = field_.grid().continued(foot->cell, field_.grid().local(foot->y));
+  foot->cell = fit_.field.grid().continued(foot->cell, fit_.field.grid().local(foot->y));
   if (foot->cell >= 0) {
-    foot->field = field_.evaluate(foot->cell, foot->y);
+    foot->field = fit_.field.evaluate(foot->cell, foot->y);
   }
   return foot->cell >= 0;
 }
 
 bool LevelSetSurface::solve(const Vec3& point, Foot* foot) const {
   constexpr int iterations = 20;
-  const double cell = field_.grid().cell();
+  const double cell = fit_.field.grid().cell();
   const Vec3 start = foot->y;
   double previous = HUGE_VAL;
   for (int i = 0; i < iterations; ++i) {
@@ -172,54 +196,70 @@ bool LevelSetSurface::find_on_sheet(const Vec3& point, Foot* foot, SurfacePoint*
   }
   const double slope = foot->field.gradient.norm();
   const Vec3 normal = foot->field.gradient / slope;
-  const Mat3 projector = Mat3::Identity() - normal * normal.transpose();
-  const Mat3 weingarten = projector * foot->field.hessian * projector / slope;
+  const Mat3 curvature = weingarten(foot->field);
   const double gap = foot->mu * slope;
-  const Mat3 offset = Mat3::Identity() + gap * weingarten;
+  const Mat3 offset = Mat3::Identity() + gap * curvature;
   if (!(least_tangential_eigenvalue(offset) > 1e-2)) {
     return false;
   }
-  const Mat3 hessian = weingarten * offset.inverse();
+  const Mat3 hessian = curvature * offset.inverse();
   *result = {gap, normal, 0.5 * (hessian + hessian.transpose()), foot->y, true};
   return true;
 }
 
 SurfacePoint LevelSetSurface::closest(const Vec3& point) const {
-  const TriangleTree::Hit hit = tree_.closest(point);
-  SurfacePoint result = from_facets(hit, point);
-  if (hit.distance > range_) {
-    return result;
-  }
-  const SheetGrid& grid = field_.grid();
-  Foot start;
-  start.cell = grid.cell_of(grid.local(hit.point), samples_.nearest(hit.triangle, hit.barycentric));
-  start.y = hit.point;
-  start.mu = hit.signed_distance;
-  const bool found = start.cell >= 0 && find_on_sheet(point, &start, &result);
-  try_other_sheets(point, found ? start.cell : -1, &result);
-  return result;
+  return find(point).first;
 }
 
-void LevelSetSurface::try_other_sheets(const Vec3& point, int cell, SurfacePoint* result) const {
-  const SheetGrid& grid = field_.grid();
+std::pair<SurfacePoint, LevelSetSurface::Foot> LevelSetSurface::find(const Vec3& point) const {
+  const TriangleTree::Hit hit = tree_.closest(point);
+  SurfacePoint result = from_facets(hit, point);
+  Foot foot;
+  if (hit.distance > range_) {
+    return {result, foot};
+  }
+  const SheetGrid& grid = fit_.field.grid();
+  foot.cell = grid.cell_of(grid.local(hit.point), samples_.nearest(hit.triangle, hit.barycentric));
+  foot.y = hit.point;
+  foot.mu = hit.signed_distance;
+  if (foot.cell < 0 || !find_on_sheet(point, &foot, &result)) {
+    foot.cell = -1;
+  }
+  try_other_sheets(point, &foot, &result);
+  return {result, foot};
+}
+
+/// By the change of the level set, which it follows without moving the closest point along the surface.
+SurfaceDoubt LevelSetSurface::doubt(const Vec3& point) const {
+  const auto [at, foot] = find(point);
+  if (!at.found) {
+    return {};
+  }
+  const SplineField::Value change = fit_.doubt.evaluate(foot.cell, foot.y);
+  return {change.value / foot.field.gradient.norm(), change_of_weingarten(foot.field, change)};
+}
+
+void LevelSetSurface::try_other_sheets(const Vec3& point, Foot* foot, SurfacePoint* result) const {
+  const SheetGrid& grid = fit_.field.grid();
   const auto [first, end] = grid.cells_at(grid.local(point));
   if (end - first < 2) {
     return;
   }
-  const int same = cell < 0 ? -1 : grid.continued(cell, grid.local(point));
+  const int same = foot->cell < 0 ? -1 : grid.continued(foot->cell, grid.local(point));
   for (int c = first; c < end; ++c) {
-    const SplineField::Value field = field_.evaluate(c, point);
+    const SplineField::Value field = fit_.field.evaluate(c, point);
     const double distance = field.value / field.gradient.norm();
     if (c == same || !(std::abs(distance) < std::abs(result->gap))) {
       continue;
     }
-    Foot foot;
-    foot.cell = c;
-    foot.y = point - distance * field.gradient.normalized();
-    foot.mu = field.value / field.gradient.squaredNorm();
+    Foot there;
+    there.cell = c;
+    there.y = point - distance * field.gradient.normalized();
+    there.mu = field.value / field.gradient.squaredNorm();
     SurfacePoint other;
-    if (find_on_sheet(point, &foot, &other) && std::abs(other.gap) < std::abs(result->gap)) {
+    if (find_on_sheet(point, &there, &other) && std::abs(other.gap) < std::abs(result->gap)) {
       *result = other;
+      *foot = there;
     }
   }
 }
@@ -249,8 +289,8 @@ void LevelSetSurface::report_fit() {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
   std::ostringstream text;
   text.precision(3);
-  text << "smooth surface of " << field_.grid().cells().size() << " cells of " << field_.grid().cell() << " mm";
-  if (const int shared = field_.grid().shared_positions(); shared > 0) {
+  text << "smooth surface of " << fit_.field.grid().cells().size() << " cells of " << fit_.field.grid().cell() << " mm";
+  if (const int shared = fit_.field.grid().shared_positions(); shared > 0) {
     text << " (at " << shared << " places one for each sheet)";
   }
   text << ", smoothing " << options_.smoothing << " (mean edge " << edge_ << " mm), fitted in " << seconds.count()
@@ -261,7 +301,7 @@ void LevelSetSurface::report_fit() {
   if (lost > 0) {
     text << "; " << lost << " vertices have no smooth surface near them";
   }
-  fit_ = text.str();
+  figures_ = text.str();
 }
 
 class FacetSurface final : public Surface {

@@ -30,6 +30,17 @@ class OneThread {
   int levels_;
 };
 
+std::vector<double> solved(cholmod_factor* factor, const std::vector<double>& right, cholmod_common* common) {
+  cholmod_dense* b = cholmod_allocate_dense(right.size(), 1, right.size(), CHOLMOD_REAL, common);
+  std::copy(right.begin(), right.end(), static_cast<double*>(b->x));
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor, b, common);
+  const auto* values = static_cast<const double*>(x->x);
+  std::vector<double> solution(values, values + right.size());
+  cholmod_free_dense(&b, common);
+  cholmod_free_dense(&x, common);
+  return solution;
+}
+
 }  // namespace
 
 NormalEquations::NormalEquations(const SheetGrid& grid)
@@ -80,7 +91,8 @@ std::vector<NormalEquations::Extra> NormalEquations::merged_extras() const {
   return merged;
 }
 
-std::vector<double> NormalEquations::solve(double ridge) const {
+std::array<std::vector<double>, 2> NormalEquations::solve(
+    double ridge, const std::function<std::vector<double>(const std::vector<double>&)>& next) const {
   const std::size_t n = right_.size();
   const OneThread one_thread;
   cholmod_common common;
@@ -114,15 +126,10 @@ std::vector<double> NormalEquations::solve(double ridge) const {
   cholmod_factor* factor = cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common);
   cholmod_factorize(matrix, factor, &common);
   const bool good = common.status == CHOLMOD_OK;
-  std::vector<double> solution;
+  std::array<std::vector<double>, 2> solutions;
   if (good) {
-    cholmod_dense* right = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
-    std::copy(right_.begin(), right_.end(), static_cast<double*>(right->x));
-    cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor, right, &common);
-    const auto* result = static_cast<const double*>(x->x);
-    solution.assign(result, result + n);
-    cholmod_free_dense(&right, &common);
-    cholmod_free_dense(&x, &common);
+    solutions[0] = solved(factor, right_, &common);
+    solutions[1] = solved(factor, next(solutions[0]), &common);
   }
   cholmod_free_factor(&factor, &common);
   cholmod_free_sparse(&matrix, &common);
@@ -132,7 +139,7 @@ std::vector<double> NormalEquations::solve(double ridge) const {
         "the smooth surface of the body cannot be fitted: its system of equations is singular; "
         "a larger cell or more smoothing (list Body, parameters cell and smoothing) helps");
   }
-  return solution;
+  return solutions;
 }
 
 }  // namespace toile::body

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "sheet_grid.hpp"
@@ -17,8 +19,10 @@ class NormalEquations {
 
   void add(int cell, const Matrix64& matrix);
   void add(int cell, const Vector64& right);
-  /// Adds `ridge` to the diagonal. Throws InputError if the matrix cannot be factorised.
-  std::vector<double> solve(double ridge) const;
+  /// Solves for what was added as right-hand side, and then for `next(first solution)`, with one factorisation; `ridge`
+  /// is added to the diagonal. Throws InputError if the matrix cannot be factorised.
+  std::array<std::vector<double>, 2> solve(
+      double ridge, const std::function<std::vector<double>(const std::vector<double>&)>& next) const;
 
  private:
   /// Coupling of an unknown with one that is neither itself nor stored in its row of `values_`: where sheets part, two

@@ -1,5 +1,7 @@
 #include "spline_field.hpp"
 
+#include <utility>
+
 namespace toile::body {
 
 Eigen::Matrix4d cubic_splines(double t) {
@@ -13,18 +15,18 @@ Eigen::Matrix4d cubic_splines(double t) {
   return b;
 }
 
-SplineField::SplineField(SheetGrid grid, const std::vector<double>& coefficients)
-    : grid_(std::move(grid)), coefficients_(grid_.cells().size()) {
+SplineField::SplineField(std::shared_ptr<const SheetGrid> grid, const std::vector<double>& coefficients)
+    : grid_(std::move(grid)), coefficients_(grid_->cells().size()) {
   for (std::size_t c = 0; c < coefficients_.size(); ++c) {
     for (int n = 0; n < 64; ++n) {
-      coefficients_[c](n % 4, n / 4) = coefficients[grid_.cells()[c].unknowns[n]];
+      coefficients_[c](n % 4, n / 4) = coefficients[grid_->cells()[c].unknowns[n]];
     }
   }
 }
 
 SplineField::Value SplineField::evaluate(int cell, const Vec3& point) const {
-  const auto& at = grid_.cells()[cell].at;
-  const Vec3 t = grid_.local(point) - Vec3(at[0], at[1], at[2]);
+  const auto& at = grid_->cells()[cell].at;
+  const Vec3 t = grid_->local(point) - Vec3(at[0], at[1], at[2]);
   const Eigen::Matrix4d bx = cubic_splines(t[0]), by = cubic_splines(t[1]), bz = cubic_splines(t[2]);
   // Derivatives of order p, q, r in x, y, z, one direction after the other.
   const Eigen::Matrix<double, 3, 16> z = bz.topRows<3>() * coefficients_[cell];
@@ -34,7 +36,7 @@ SplineField::Value SplineField::evaluate(int cell, const Vec3& point) const {
     yz.col(i) << products(0, 0), products(1, 0), products(2, 0), products(0, 1), products(1, 1), products(0, 2);
   }
   const Eigen::Matrix<double, 6, 3> all = yz * bx.topRows<3>().transpose();
-  const double h = grid_.cell();
+  const double h = grid_->cell();
   Value result;
   result.value = h * all(0, 0);
   result.gradient = {all(0, 1), all(3, 0), all(1, 0)};

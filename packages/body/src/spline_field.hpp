@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "sheet_grid.hpp"
@@ -11,7 +12,7 @@ namespace toile::body {
 /// row = order of the derivative (0..3), column = spline.
 Eigen::Matrix4d cubic_splines(double t);
 
-/// Tricubic B-spline f on the cells of the sheets, in mm.
+/// Tricubic B-spline on the cells of the sheets, in mm.
 class SplineField {
  public:
   struct Value {
@@ -20,13 +21,13 @@ class SplineField {
     Mat3 hessian = Mat3::Zero();   ///< 1/mm
   };
   /// `coefficients`: one for each unknown of the grid, in cells.
-  SplineField(SheetGrid grid, const std::vector<double>& coefficients);
+  SplineField(std::shared_ptr<const SheetGrid> grid, const std::vector<double>& coefficients);
   /// By the polynomial of one cell.
   Value evaluate(int cell, const Vec3& point) const;
-  const SheetGrid& grid() const { return grid_; }
+  const SheetGrid& grid() const { return *grid_; }
 
  private:
-  SheetGrid grid_;
+  std::shared_ptr<const SheetGrid> grid_;
   std::vector<Eigen::Matrix<double, 4, 16>> coefficients_;  ///< of each cell, those of a column along z together
 };
 

@@ -56,7 +56,8 @@ class Recoverer {
   const std::vector<int>* wide_patch(int site);
   std::optional<SitePressure> fitted(int site);
   double load(int site) const;
-  void average_errors();
+  double body_change(int site);
+  void average(double SitePressure::*error);
   double relative_error() const;
 
   const FabricInContact& fabric_;
@@ -199,6 +200,16 @@ std::optional<SitePressure> Recoverer::fitted(int site) {
   return SitePressure{best - load(site), std::abs(best - linear) + std::abs(laid - linear)};
 }
 
+/// Tension x doubt of the curvature, and of a body that is wider by d: stiffness x d k^2 with its curvature k.
+double Recoverer::body_change(int site) {
+  ContactCluster doubtful = cluster(site);
+  const double wider = -doubtful.doubt.gap * doubtful.surface.hessian.squaredNorm();
+  if (doubtful.doubt.hessian.isZero()) return 0.0;
+  doubtful.surface.hessian = doubtful.doubt.hessian;
+  const auto curved = fitted_pressure(fabric_, patches_.around(site, 0), doubtful, Tension::of_facet, 0);
+  return curved.value_or(0.0) + fabric_.stiffness * wider;
+}
+
 /// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
 double Recoverer::load(int site) const {
   double sum = 0.0, area = 0.0;
@@ -216,10 +227,10 @@ double Recoverer::load(int site) const {
 
 /// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
 /// Passes from sites to elements and back, 36 of them: as wide as a Helmholtz filter with a length of 3 elements.
-void Recoverer::average_errors() {
+void Recoverer::average(double SitePressure::*error) {
   constexpr int passes = 36;
   std::vector<double> square(fabric_.site_cluster.size(), 0.0), sum, weight;
-  for (size_t s = 0; s < square.size(); ++s) square[s] = out_.site[s].error * out_.site[s].error;
+  for (size_t s = 0; s < square.size(); ++s) square[s] = std::pow(out_.site[s].*error, 2);
   std::vector<double> area(fabric_.elements.size(), 0.0);
   for (size_t e = 0; e < area.size(); ++e)
     for (int q = 0; q < fabric_.elements[e].points; ++q) area[e] += point_of(fabric_.elements[e], q).area;
@@ -245,7 +256,7 @@ void Recoverer::average_errors() {
     for (size_t s = 0; s < square.size(); ++s)
       if (touches(static_cast<int>(s)) && weight[s] > 0.0) square[s] = sum[s] / weight[s];
   }
-  for (size_t s = 0; s < square.size(); ++s) out_.site[s].error = std::sqrt(square[s]);
+  for (size_t s = 0; s < square.size(); ++s) out_.site[s].*error = std::sqrt(square[s]);
 }
 
 /// Root mean square of the errors over that of the pressures, away from the border of contact.
@@ -275,6 +286,7 @@ Recovery Recoverer::run() {
     unknown[s] = !found || std::isinf(found->error);
     out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
     if (unknown[s]) out_.site[s].error = 0.0;
+    if (found) out_.site[s].of_body = out_.site[s].body_change = body_change(site);
     if (!found || place(site) != Place::border || held) continue;
     out_.site[s].error += std::abs(force_pressure - out_.site[s].pressure);
     out_.site[s].pressure = force_pressure;
@@ -284,7 +296,8 @@ Recovery Recoverer::run() {
   // accurate, for its size, than the rest.
   constexpr double part = 0.6;
   const double least = part * relative_error();
-  average_errors();
+  average(&SitePressure::error);
+  average(&SitePressure::of_body);
   for (size_t s = 0; s < fabric_.site_cluster.size(); ++s) {
     SitePressure& site = out_.site[s];
     site.error = std::max(site.error, least * site.pressure);

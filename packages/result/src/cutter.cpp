@@ -129,9 +129,7 @@ Cutter::Cutter(const GarmentFields& garment, const Axis& axis)
     : garment_(garment), axis_(axis), surface_(triangulate(*garment.mesh, garment.position)) {
   axis_.direction.normalize();
   pressure_ = at_vertices(*garment.mesh, garment.pressure);
-  error_ = garment.pressure_error.empty()
-               ? std::vector<double>(pressure_.size(), std::numeric_limits<double>::quiet_NaN())
-               : at_vertices(*garment.mesh, garment.pressure_error);
+  for (const PressureError& part : garment.pressure_errors) errors_.push_back(at_vertices(*garment.mesh, part.values));
   find_neighbours();
   tied_.resize(surface_.mesh.vertices.size());
   std::iota(tied_.begin(), tied_.end(), 0);
@@ -192,7 +190,8 @@ double Cutter::tension_across(std::size_t element, const Vec3& axis) const {
 
 double Cutter::missed_between_rows(std::size_t element, const mesh::Vec2& place, double pressure,
                                    const std::vector<double>& above) const {
-  std::array<double, 2> largest{};  // below, above
+  const auto larger = [](double x, double y) { return std::abs(x) < std::abs(y) ? y : x; };
+  std::array<double, 2> missed{};  // below, above
   std::array<bool, 2> known{};
   for (const Neighbour& other : neighbours_[element]) {
     double height = 0.0, mean = 0.0;
@@ -202,11 +201,12 @@ double Cutter::missed_between_rows(std::size_t element, const mesh::Vec2& place,
     }
     const std::size_t side = height > 0.0 ? 1 : 0;
     const double foretold = mean + slope_[other.element].dot(place - centre_[other.element]);
-    largest[side] = std::max(largest[side], std::abs(foretold - pressure));
+    missed[side] = larger(missed[side], foretold - pressure);
     known[side] = true;
   }
-  const double nearer = known[0] && known[1] ? std::min(largest[0], largest[1]) : (known[0] ? largest[0] : largest[1]);
-  return 0.75 * nearer;
+  const bool both = known[0] && known[1], upper_is_nearer = larger(missed[1], missed[0]) == missed[0];
+  const std::size_t nearer = both ? (upper_is_nearer ? 1 : 0) : (known[0] ? 0 : 1);
+  return 0.75 * missed[nearer];
 }
 
 AxisPlace Cutter::place(double height) const {
@@ -260,7 +260,7 @@ mesh::Vec2 Cutter::add_point(Segment& segment, std::size_t k, int from, int to,
   const double t = above[a] / (above[a] - above[b]);
   segment.point[k] = (1.0 - t) * surface_.mesh.vertices[a] + t * surface_.mesh.vertices[b];
   segment.pressure[k] = (1.0 - t) * pressure_[a] + t * pressure_[b];
-  segment.error[k] = (1.0 - t) * error_[a] + t * error_[b];
+  for (const std::vector<double>& part : errors_) segment.errors[k].push_back((1.0 - t) * part[a] + t * part[b]);
   return ((1.0 - t) * pattern_[a] + t * pattern_[b]).head<2>();
 }
 
@@ -274,8 +274,7 @@ Segment Cutter::segment(std::size_t triangle, std::size_t alone, const std::vect
   const mesh::Vec2 second = add_point(segment, 1, corner[alone], corner[(alone + 2) % 3], above);
   const auto e = static_cast<std::size_t>(segment.element);
   const mesh::Vec2 middle = 0.5 * (first + second), off = middle - centre_[e];
-  const double missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
-  for (double& error : segment.error) error += missed;
+  segment.missed = missed_between_rows(e, middle, 0.5 * (segment.pressure[0] + segment.pressure[1]), above);
   const Vec3 tangent = segment.step().normalized();  // zero for a point
   segment.tension = tangent.dot(garment_.tension[e] * tangent);
   const double here = tension_across(e, axis);

@@ -11,9 +11,10 @@ namespace toile::result {
 /// Part of a section inside one triangle.
 struct Segment {
   std::array<mesh::Vec3, 2> point;
-  std::array<double, 2> pressure;  ///< MPa
-  std::array<double, 2> error;     ///< MPa
-  double tension;                  ///< along it, N/mm
+  std::array<double, 2> pressure;             ///< MPa
+  std::array<std::vector<double>, 2> errors;  ///< [part] MPa
+  double missed;                              ///< error of the pressure between two rows of nodes, with its sign, MPa
+  double tension;                             ///< along it, N/mm
   int element;
   int block;
 
@@ -62,10 +63,10 @@ class Cutter {
 
   /// Fills centre_, normal_, slope_, neighbours_ and pattern_.
   void find_neighbours();
-  /// What the line between two rows of nodes may miss of the pressure in its middle, which lies at `place` of the
-  /// pattern, MPa: what the pressure on either side foretells there, of the side that is nearer. Where the pressure
-  /// bends in one place between the rows this is the error itself, where it is smooth up to four times of it; three
-  /// quarters of it serve for both.
+  /// What the line between two rows of nodes may miss of the pressure in its middle, with its sign, which lies at
+  /// `place` of the pattern, MPa: what the pressure on either side foretells there, of the side that is nearer. Where
+  /// the pressure bends in one place between the rows this is the error itself, where it is smooth up to four times of
+  /// it; three quarters of it serve for both.
   double missed_between_rows(std::size_t element, const mesh::Vec2& place, double pressure,
                              const std::vector<double>& above) const;
   /// Of an element, in its plane across the axis, N/mm.
@@ -79,7 +80,7 @@ class Cutter {
   std::vector<int> tied_;                           ///< [vertex]
   std::vector<int> mirror_;                         ///< [vertex]
   std::vector<double> pressure_;                    ///< [vertex]
-  std::vector<double> error_;                       ///< [vertex]
+  std::vector<std::vector<double>> errors_;         ///< [part][vertex]
   std::vector<mesh::Vec2> centre_;                  ///< [element] in the pattern, mm
   std::vector<mesh::Vec3> normal_;                  ///< [element] of any length
   std::vector<std::vector<std::size_t>> corners_;   ///< [element] nodes

@@ -80,10 +80,13 @@ Section sum_of(const std::vector<const Section*>& layers) {
         const Beside there = beside(*layer, segment.point[k], tangent);
         if (there.segment == nullptr) continue;
         segment.pressure[k] += at(there.segment->pressure, there.share);
-        segment.error[k] += at(there.segment->error, there.share);
+        for (std::size_t part = 0; part < segment.errors[k].size(); ++part)
+          segment.errors[k][part] += at({there.segment->errors[0][part], there.segment->errors[1][part]}, there.share);
       }
       const Beside there = beside(*layer, segment.middle(), tangent);
-      if (there.segment != nullptr) segment.tension += there.segment->tension;
+      if (there.segment == nullptr) continue;
+      segment.tension += there.segment->tension;
+      segment.missed += there.segment->missed;
     }
   }
   return sum;

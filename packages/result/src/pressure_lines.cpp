@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -34,18 +35,27 @@ LevelRow row_of(const Section& section, const GarmentFields& garment) {
   row.pressure_min = std::numeric_limits<double>::infinity();
   row.pressure_max = -row.pressure_min;
   row.smallest_stress = row.pressure_min;
+  double missed = 0.0;
+  row.error_parts.assign(garment.pressure_errors.size(), 0.0);
   for (const Segment& segment : section.segments) {
     const double share = segment.length() / length;
     const auto element = static_cast<std::size_t>(segment.element);
     const auto [low, high] = std::minmax(segment.pressure[0], segment.pressure[1]);
     row.pressure_mean += 0.5 * share * (low + high);
-    row.pressure_error += 0.5 * share * (segment.error[0] + segment.error[1]);
+    for (std::size_t part = 0; part < row.error_parts.size(); ++part)
+      row.error_parts[part] += 0.5 * share * (segment.errors[0][part] + segment.errors[1][part]);
+    missed += share * segment.missed;
     row.hoop_tension += share * segment.tension;
     row.pressure_min = std::min(row.pressure_min, low);
     row.pressure_max = std::max(row.pressure_max, high);
     row.at_support = row.at_support || (!garment.at_support.empty() && garment.at_support[element]);
     row.smallest_stress = std::min(row.smallest_stress, garment.smallest_stress[element]);
   }
+  for (double& part : row.error_parts) part = std::abs(part);
+  if (!row.error_parts.empty()) row.error_parts.front() += std::abs(missed);
+  const double squares =
+      std::inner_product(row.error_parts.begin(), row.error_parts.end(), row.error_parts.begin(), 0.0);
+  row.pressure_error = row.error_parts.empty() ? none : std::sqrt(squares);
   row.radius = row.closed ? row.girth / (2.0 * M_PI) : none;
   row.laplace = row.hoop_tension / row.radius;
   return row;

@@ -58,7 +58,8 @@ void add_curves(Plot& plot, const std::vector<LevelRow>& curve, const std::strin
 
 }  // namespace
 
-void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows) {
+void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows,
+                        const std::vector<std::string>& error_parts) {
   Table table;
   const auto any = [&](std::string LevelRow::*text) {
     return std::any_of(rows.begin(), rows.end(), [=](const LevelRow& row) { return !(row.*text).empty(); });
@@ -82,6 +83,10 @@ void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& ro
   table.columns.push_back(column("at a support", "", rows, [](const LevelRow& r) { return r.at_support ? 1.0 : 0.0; }));
   table.columns.push_back(column("closed", "", rows, [](const LevelRow& r) { return r.closed ? 1.0 : 0.0; }));
   add_pressure(table, "error of the mean pressure", rows, &LevelRow::pressure_error);
+  for (std::size_t part = 0; part < error_parts.size(); ++part)
+    table.columns.push_back(column("its part by " + error_parts[part], "kPa", rows, [=](const LevelRow& r) {
+      return r.reached() ? base::mpa_to_kpa(r.error_parts[part]) : std::numeric_limits<double>::quiet_NaN();
+    }));
   table.text_title = "panels";
   std::transform(rows.begin(), rows.end(), std::back_inserter(table.texts),
                  [](const LevelRow& row) { return row.panels; });

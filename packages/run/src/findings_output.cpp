@@ -37,6 +37,20 @@ std::string with_error(double value, double error) {
   return text;
 }
 
+/// The parts of an error (MPa) in kPa, the largest first, as far as they count: "mesh 0.03, body 0.02".
+std::string parts_of_error(const std::vector<double>& parts) {
+  constexpr double counts = 0.1;  // of the largest: 0.5 % of the error
+  std::vector<std::pair<double, std::string>> sorted;
+  const std::vector<std::string> names = error_names();
+  for (size_t p = 0; p < parts.size(); ++p) sorted.emplace_back(base::mpa_to_kpa(parts[p]), names[p]);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (const auto& [part, name] : sorted)
+    if (part > 0.0 && part >= counts * sorted.front().first)
+      text += (text.empty() ? "" : ", ") + name + " " + number("%.2g", part);
+  return text;
+}
+
 /// Texts in columns: the first to the left, the others to the right.
 std::string columns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<size_t> width(rows.front().size(), 0);
@@ -61,39 +75,34 @@ std::string remark(const result::LevelRow& row) {
 
 std::string level_table(const std::vector<result::LevelRow>& levels) {
   std::vector<std::vector<std::string>> rows = {
-      {"level", "mmHg", "kPa", "of the first", "girth mm", "Laplace mmHg", "", ""}};
+      {"level", "mmHg", "kPa", "error by, kPa", "of the first", "girth mm", "Laplace mmHg", "", ""}};
   const auto first =
       std::find_if(levels.begin(), levels.end(), [](const result::LevelRow& row) { return row.reached(); });
   const bool several = std::any_of(levels.begin(), levels.end(), [](const auto& row) { return !row.section.empty(); });
   for (const result::LevelRow& row : levels) {
     rows.push_back({row.title(),
                     with_error(base::mpa_to_mmhg(row.pressure_mean), base::mpa_to_mmhg(row.pressure_error)),
-                    number("%.3g", base::mpa_to_kpa(row.pressure_mean)), "", number("%.1f", row.girth),
-                    number("%.3g", base::mpa_to_mmhg(row.laplace)), several ? row.panels : "", remark(row)});
+                    number("%.3g", base::mpa_to_kpa(row.pressure_mean)), parts_of_error(row.error_parts), "",
+                    number("%.1f", row.girth), number("%.3g", base::mpa_to_mmhg(row.laplace)),
+                    several ? row.panels : "", remark(row)});
     if (!row.reached()) rows.back()[1].clear();
     if (row.reached() && first->pressure_mean > 0.0)
-      rows.back()[3] = number("%.0f %%", 100.0 * row.pressure_mean / first->pressure_mean);
+      rows.back()[4] = number("%.0f %%", 100.0 * row.pressure_mean / first->pressure_mean);
   }
-  return "Pressure at the levels, mean round the section +- its error by the mesh\n" + columns(rows);
+  return "Pressure at the levels, mean round the section +- its error\n" + columns(rows);
 }
 
 std::string point_table(const scene::Scene& scene, const solve::Fields& fields,
-                        const std::vector<BodyPressure>& on_body) {
-  std::vector<std::vector<std::string>> rows = {{"point", "mmHg", "kPa", "gap mm"}};
-  for (const scene::Point& point : scene.output().points) {
-    const double pressure = fields.pressure[point.node];
-    rows.push_back({point.title,
-                    with_error(base::mpa_to_mmhg(pressure), base::mpa_to_mmhg(fields.pressure_error[point.node])),
-                    number("%.3g", base::mpa_to_kpa(pressure)), number("%.2f", fields.gap[point.node])});
-  }
-  for (size_t p = 0; p < on_body.size(); ++p) {
-    const BodyPressure& there = on_body[p];
-    rows.push_back({scene.output().body_points[p].title,
-                    with_error(base::mpa_to_mmhg(there.pressure), base::mpa_to_mmhg(there.error)),
-                    number("%.3g", base::mpa_to_kpa(there.pressure)),
-                    there.gap ? number("%.2f", *there.gap) : "no fabric"});
-  }
-  return "Pressure at the points +- its error by the mesh\n" + columns(rows);
+                        const std::vector<PointPressure>& on_body) {
+  std::vector<std::vector<std::string>> rows = {{"point", "mmHg", "kPa", "error by, kPa", "gap mm"}};
+  const auto add = [&](const std::string& title, const PointPressure& at) {
+    rows.push_back({title, with_error(base::mpa_to_mmhg(at.pressure), base::mpa_to_mmhg(at.error)),
+                    number("%.3g", base::mpa_to_kpa(at.pressure)), parts_of_error(at.error_parts),
+                    at.gap ? number("%.2f", *at.gap) : "no fabric"});
+  };
+  for (const scene::Point& point : scene.output().points) add(point.title, pressure_at(fields, point.node));
+  for (size_t p = 0; p < on_body.size(); ++p) add(scene.output().body_points[p].title, on_body[p]);
+  return "Pressure at the points +- its error\n" + columns(rows);
 }
 
 /// Value below which a share of the panel's area lies.
@@ -152,7 +161,7 @@ std::optional<LargestPressure> largest_pressure(const scene::Scene& scene, const
 
 /// The tables of levels and of points, the stretches of each panel, the largest pressure.
 std::string findings(const scene::Scene& scene, const solve::Fields& fields, const PressureReport& pressure,
-                     const std::vector<BodyPressure>& on_body) {
+                     const std::vector<PointPressure>& on_body) {
   std::string text;
   if (!pressure.levels.empty()) text += level_table(pressure.levels);
   if (scene.surface() != nullptr && !(scene.output().points.empty() && on_body.empty()))

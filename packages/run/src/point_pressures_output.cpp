@@ -1,5 +1,4 @@
 // pressure-points.csv: the pressure at the points that the scene names, in the last state.
-#include <array>
 #include <limits>
 
 #include "table_output.hpp"
@@ -23,28 +22,23 @@ class PointPressures : public TableOutput {
                          {{"pressure", "kPa"}, {}},
                          {{"its error", "kPa"}, {}},
                          {{"gap", "mm"}, {}}}};
-    for (const scene::Point& point : record.scene().output().points) {
-      const auto n = static_cast<size_t>(point.node);
-      const solve::Vec3& x = fields.position[n];
-      const std::array<double, 6> row = {
-          x[0],         x[1], x[2], base::mpa_to_kpa(fields.pressure[n]), base::mpa_to_kpa(fields.pressure_error[n]),
-          fields.gap[n]};
-      table.row_names.push_back(point.title);
+    for (const std::string& name : error_names()) table.columns.push_back({{"its part by " + name, "kPa"}, {}});
+    const auto add = [&](const std::string& title, const solve::Vec3& x, const PointPressure& at) {
+      table.row_names.push_back(title);
+      std::vector<double> row = {x[0],
+                                 x[1],
+                                 x[2],
+                                 base::mpa_to_kpa(at.pressure),
+                                 base::mpa_to_kpa(at.error),
+                                 at.gap.value_or(std::numeric_limits<double>::quiet_NaN())};
+      for (const double part : at.error_parts) row.push_back(base::mpa_to_kpa(part));
       for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
-    }
+    };
+    for (const scene::Point& point : record.scene().output().points)
+      add(point.title, fields.position[point.node], pressure_at(fields, point.node));
     const std::vector<scene::BodyPoint>& points = record.scene().output().body_points;
-    const std::vector<BodyPressure> pressures = body_pressures(record.scene(), fields, record.last());
-    for (size_t p = 0; p < points.size(); ++p) {
-      const solve::Vec3& x = points[p].place;
-      const std::array<double, 6> row = {x[0],
-                                         x[1],
-                                         x[2],
-                                         base::mpa_to_kpa(pressures[p].pressure),
-                                         base::mpa_to_kpa(pressures[p].error),
-                                         pressures[p].gap.value_or(std::numeric_limits<double>::quiet_NaN())};
-      table.row_names.push_back(points[p].title);
-      for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
-    }
+    const std::vector<PointPressure> pressures = body_pressures(record.scene(), fields, record.last());
+    for (size_t p = 0; p < points.size(); ++p) add(points[p].title, points[p].place, pressures[p]);
     TableOutput::write("pressure-points", table);
   }
 };

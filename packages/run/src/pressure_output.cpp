@@ -23,7 +23,7 @@ class Pressure : public Observer {
 
  private:
   void write(const std::string& name, const std::vector<result::LevelRow>& rows) {
-    result::write_pressure_csv(folder_->file(name), rows);
+    result::write_pressure_csv(folder_->file(name), rows, error_names());
     folder_->add(name);
   }
 

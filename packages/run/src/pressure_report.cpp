@@ -43,6 +43,12 @@ std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, co
 
 }  // namespace
 
+std::vector<std::string> error_names() {
+  std::vector<std::string> names;
+  for (const solve::ErrorPart& part : solve::error_parts()) names.emplace_back(part.name);
+  return names;
+}
+
 std::vector<int> mirror_planes(const scene::Scene& scene) {
   const solve::Problem& problem = scene.problem();
   std::vector<int> plane(static_cast<size_t>(problem.mesh->nodes()), -1);
@@ -80,8 +86,15 @@ std::vector<bool> elements_at_supports(const scene::Scene& scene) {
   return at_support;
 }
 
-std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
-                                         const solve::StepReport& report) {
+PointPressure pressure_at(const solve::Fields& fields, int node) {
+  PointPressure at{fields.pressure[node], fields.pressure_error[node], {}, fields.gap[node]};
+  for (const solve::ErrorPart& part : solve::error_parts())
+    at.error_parts.push_back((fields.errors.*part.values)[node]);
+  return at;
+}
+
+std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                          const solve::StepReport& report) {
   std::vector<solve::Vec3> places, normals;
   for (const scene::BodyPoint& point : scene.output().body_points) {
     places.push_back(point.place);
@@ -91,12 +104,16 @@ std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve:
   const result::BodyMap map(
       {scene.problem().mesh, fields.position, tied_nodes(scene.problem(), report), fields.gap, fields.normal}, places,
       normals);
-  const std::vector<double> pressure = map.map(fields.pressure), error = map.map(fields.pressure_error),
-                            gap = map.map(fields.gap),
+  const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
                             layers = map.map(std::vector<double>(fields.position.size(), 1.0));
-  std::vector<BodyPressure> all;
+  std::vector<std::vector<double>> parts;
+  for (const solve::ErrorPart& part : solve::error_parts()) parts.push_back(map.map(fields.errors.*part.values));
+  std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
-    all.push_back({pressure[p], error[p], std::nullopt});
+    all.push_back({pressure[p], 0.0, {}, std::nullopt});
+    for (const std::vector<double>& part : parts) all.back().error_parts.push_back(part[p]);
+    all.back().error = std::sqrt(std::inner_product(all.back().error_parts.begin(), all.back().error_parts.end(),
+                                                    all.back().error_parts.begin(), 0.0));
     if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
   }
   return all;
@@ -107,15 +124,19 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
   const scene::Output& output = scene.output();
   PressureReport found;
   if (scene.surface() == nullptr || (output.stations == 0 && output.levels.empty())) return found;
-  const result::GarmentFields garment{&scene.garment().mesh,
-                                      fields.position,
-                                      tied_nodes(scene.problem(), report),
-                                      fields.pressure,
-                                      fields.pressure_error,
-                                      fields.tension,
-                                      solve::named(solve::element_fields(fields), "cauchy_minor").values,
-                                      elements_at_supports(scene),
-                                      mirror_planes(scene)};
+  result::GarmentFields garment{&scene.garment().mesh,
+                                fields.position,
+                                tied_nodes(scene.problem(), report),
+                                fields.pressure,
+                                {},
+                                fields.tension,
+                                solve::named(solve::element_fields(fields), "cauchy_minor").values,
+                                elements_at_supports(scene),
+                                mirror_planes(scene)};
+  for (const solve::ErrorPart& part : solve::error_parts()) {
+    const bool of_body = part.values == &solve::PressureErrors::body;
+    garment.pressure_errors.push_back({part.name, of_body ? fields.body_change : fields.errors.*part.values});
+  }
   const result::Axis axis = axis_of(output);
   std::vector<result::Level> levels;
   for (const scene::Level& level : output.levels) levels.push_back({level.name, level.height});

@@ -15,8 +15,11 @@ void drop_round_off(double magnitude, solve::Fields* fields) {
   double pressed = 0.0;
   for (const double force : fields->contact_force) pressed += std::abs(force);
   if (pressed > noise * magnitude) return;
-  for (std::vector<double>* field : {&fields->pressure, &fields->pressure_error, &fields->contact_force})
+  for (std::vector<double>* field :
+       {&fields->pressure, &fields->pressure_error, &fields->body_change, &fields->contact_force})
     std::fill(field->begin(), field->end(), 0.0);
+  for (const solve::ErrorPart& part : solve::error_parts())
+    std::fill((fields->errors.*part.values).begin(), (fields->errors.*part.values).end(), 0.0);
   fields->isolated_contacts = 0;
   fields->contacts_off_surface = 0;
 }
@@ -37,7 +40,8 @@ const solve::StepReport& Record::last() const {
 
 std::shared_ptr<const solve::Fields> Record::shared_fields() const {
   if (fields_ == nullptr) {
-    auto fields = std::make_shared<solve::Fields>(solve::compute_fields(scene_.problem(), state_));
+    auto fields = std::make_shared<solve::Fields>(
+        solve::compute_fields(scene_.problem(), state_, reports_.empty() ? solve::Accuracy() : last().accuracy));
     if (!reports_.empty()) drop_round_off(last().balance.magnitude, fields.get());
     fields_ = std::move(fields);
   }

@@ -187,4 +187,22 @@ std::vector<Check> read_checks(const base::List& list, const Output& output, boo
   return checks;
 }
 
+Accuracy read_accuracy(const base::List& list, const Output& output, bool with_body) {
+  if (!with_body) list.fail("error", no_body);
+  base::Texts levels, all;
+  for (const Level& level : output.levels) levels.push_back(level.name);
+  all = levels;
+  for (const Point& point : output.points) all.push_back(point.title);
+  for (const BodyPoint& point : output.body_points) all.push_back(point.title);
+  if (all.empty())
+    list.fail("at",
+              "the list \"Output\" names no level, point or body point, so there is no pressure whose error counts");
+  Accuracy accuracy{0.01 * list.real("error"), list.words("at"), list.integer("most runs"), list.integer("most nodes")};
+  for (const std::string& name : accuracy.at)
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      list.fail("at", unknown("level, point or body point", name, all));
+  if (accuracy.at.empty()) accuracy.at = levels.empty() ? all : levels;
+  return accuracy;
+}
+
 }  // namespace toile::scene

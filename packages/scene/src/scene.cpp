@@ -108,6 +108,8 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
   problem_.crossings = output_.crossings && crossing::available();
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
+  if (const auto accuracy = optional_list(list, "Accuracy"))
+    accuracy_ = read_accuracy(*accuracy, output_, surface_ != nullptr);
   list_modules(ranks);
 }
 

@@ -3,6 +3,7 @@
 #include "landmark_places.hpp"
 #include "toile/body/body.hpp"
 #include "toile/drape/drape.hpp"
+#include "toile/garment/finer.hpp"
 #include "toile/garment/panel.hpp"
 #include "toile/garment/pattern.hpp"
 #include "toile/garment/seam.hpp"
@@ -80,6 +81,21 @@ Spec output_spec() {
   return output;
 }
 
+Spec accuracy_spec() {
+  return Spec("Accuracy",
+              "How small the error of the pressure is to be: the scene is run again on finer meshes (parameter "
+              "\"finer\") "
+              "until it is. The results are those of the last run; accuracy.csv tells what each run has reached and "
+              "what it took. If the error cannot be reached the last run is kept, and the exit status is 4.")
+      .real("error", "%", "Largest allowed error of a pressure, of its size.", base::required, Range::positive())
+      .words("at",
+             "Names of entries of Levels, Points and Body points. Left out: all levels, or all points if there are "
+             "none.",
+             base::Texts{})
+      .integer("most runs", "Runs after which it is given up.", 6, Range::between(1, 20))
+      .integer("most nodes", "Of a mesh that is still run.", 200000, Range::at_least(1));
+}
+
 Spec checks_spec() {
   Spec check("check", "A bound that the result must keep.");
   check
@@ -105,6 +121,7 @@ Spec scene_spec(const material::Laws& laws) {
   return Spec("scene", "One garment, the body that wears it, and what happens to it.")
       .word("title", "What the scene shows.", std::string())
       .add(base::include_parameter())
+      .add(garment::finer_parameter())
       .list(body::body_spec())
       .list(material::plugins_spec())
       .list(material::formulas_spec())
@@ -120,9 +137,11 @@ Spec scene_spec(const material::Laws& laws) {
       .list(solve::solver_spec())
       .list(output_spec())
       .list(checks_spec())
+      .list(accuracy_spec())
       .completed_by([](Teuchos::ParameterList& list, base::Origins& origins) {
         put_landmarks(list, origins);
         garment::add_pattern(list, origins);
+        garment::make_finer(list);
       });
 }
 

@@ -1,6 +1,7 @@
 #include "fields/contact_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -39,11 +40,23 @@ std::vector<size_t> pieces(const Problem& problem) {
   return piece;
 }
 
+/// The largest of the garment's fabrics, N/mm.
+double largest_stiffness(const Problem& problem) {
+  double largest = 0.0;
+  for (const BlockModel& model : problem.models) {
+    const material::Material& fabric = *model.material;
+    const std::vector<double> params = fabric.graduated() ? fabric.params_at(0.5) : fabric.params();
+    largest = std::max(largest, fabric.thickness() * fabric.response().natural_stiffness(params.data()));
+  }
+  return largest;
+}
+
 /// What the recovery is told of a state.
 class Collector {
  public:
   Collector(const Problem& problem, const State& state, const Fields& fields)
       : problem_(problem), state_(state), fields_(fields), piece_(pieces(problem)) {
+    fabric_.stiffness = largest_stiffness(problem);
     add_clusters();
     for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(b);
   }
@@ -97,6 +110,7 @@ void Collector::add_cluster(const std::vector<int>& nodes, double offset, double
   contact::ContactCluster cluster;
   cluster.position = fields_.position[nodes.front()];
   cluster.surface = problem_.surface->closest(cluster.position);
+  cluster.doubt = problem_.surface->doubt(cluster.position);
   cluster.offset = offset;
   cluster.force = force;
   for (const int n : nodes) {
@@ -178,9 +192,32 @@ void Collector::add_block(size_t b) {
              static_cast<size_t>(block.nodes_per_element));
 }
 
+/// Root mean square over the area in contact, MPa.
+double mean_pressure(const Fields& fields) {
+  double squares = 0.0, area = 0.0;
+  for (size_t n = 0; n < fields.pressure.size(); ++n) {
+    if (!(fields.pressure[n] > 0.0)) continue;
+    squares += fields.area[n] * fields.pressure[n] * fields.pressure[n];
+    area += fields.area[n];
+  }
+  return area > 0.0 ? std::sqrt(squares / area) : 0.0;
+}
+
+/// Those of mesh and body are known. What forces are wrong by, pressures are: relative to the mean.
+void add_errors(const Accuracy& accuracy, Fields& out) {
+  const double mean = mean_pressure(out);
+  for (size_t n = 0; n < out.pressure.size(); ++n) {
+    if (!(out.pressure[n] > 0.0)) continue;
+    out.errors.solver[n] = accuracy.residual * mean;
+    out.errors.damping[n] = std::max(0.0, accuracy.undamped_residual - accuracy.residual) * mean;
+    out.errors.slack[n] = accuracy.kept * mean;
+    out.pressure_error[n] = out.errors.total(n);
+  }
+}
+
 }  // namespace
 
-void add_contact_pressure(const Problem& problem, const State& state, Fields& out) {
+void add_contact_pressure(const Problem& problem, const State& state, const Accuracy& accuracy, Fields& out) {
   for (size_t c = 0; c < problem.clusters.size(); ++c) {
     double area = 0.0;
     for (const int n : problem.clusters[c]) area += out.area[n];
@@ -202,8 +239,14 @@ void add_contact_pressure(const Problem& problem, const State& state, Fields& ou
     if (problem.contact.pressure_on_inner_face) per_middle = inner_over_middle(at.surface, at.offset);
     out.area[n] *= per_middle;
     out.pressure[n] = site.pressure / per_middle;
-    out.pressure_error[n] = site.error / per_middle;
+    out.errors.mesh[n] = site.error / per_middle;
+    out.errors.body[n] = site.of_body / per_middle;
+    out.body_change[n] = site.body_change / per_middle;
+    // A gap g changes the stretch along a curvature k by g k, and with it tension x curvature.
+    if (site.pressure > 0.0)
+      out.errors.gap[n] = collector.fabric().stiffness * std::abs(out.gap[n]) * at.surface.hessian.squaredNorm();
   }
+  add_errors(accuracy, out);
 }
 
 }  // namespace toile::solve

@@ -4,8 +4,8 @@
 
 namespace toile::solve {
 
-/// Fills pressure, pressure_error, contact_force, gap, normal and what they count, on the calling rank; position and
+/// Fills pressure, its errors, contact_force, gap, normal and what they count, on the calling rank; position and
 /// area are there already.
-void add_contact_pressure(const Problem& problem, const State& state, Fields& fields);
+void add_contact_pressure(const Problem& problem, const State& state, const Accuracy& accuracy, Fields& fields);
 
 }  // namespace toile::solve

@@ -71,12 +71,14 @@ void add_block(const Problem& problem, size_t b, const State& state, Fields& out
 
 }  // namespace
 
-Fields compute_fields(const Problem& problem, const State& state) {
+Fields compute_fields(const Problem& problem, const State& state, const Accuracy& accuracy) {
   const size_t nodes = static_cast<size_t>(problem.mesh->nodes());
   Fields out;
   out.position = node_positions(problem, state);
   out.pressure.assign(nodes, 0.0);
   out.pressure_error.assign(nodes, 0.0);
+  for (const ErrorPart& part : error_parts()) (out.errors.*part.values).assign(nodes, 0.0);
+  out.body_change.assign(nodes, 0.0);
   out.contact_force.assign(nodes, 0.0);
   out.gap.assign(nodes, 0.0);
   out.normal.assign(nodes, Vec3::Zero());
@@ -84,7 +86,7 @@ Fields compute_fields(const Problem& problem, const State& state) {
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();
   if (problem.crossings) out.crossings = crossing::find_crossings(*problem.mesh, problem.clusters, out.position);
   for (size_t b = 0; b < problem.mesh->blocks.size(); ++b) add_block(problem, b, state, out);
-  if (problem.surface != nullptr) add_contact_pressure(problem, state, out);
+  if (problem.surface != nullptr) add_contact_pressure(problem, state, accuracy, out);
   return out;
 }
 

@@ -10,15 +10,6 @@ namespace toile::solve {
 
 namespace {
 
-/// Mean of D11 and D22 in the natural state, MPa.
-double natural_stiffness(const material::Response& response, const std::vector<double>& params) {
-  const double C[3] = {1.0, 1.0, 0.0};
-  double W, S[3], D[6], thickness_stretch;
-  std::uint8_t status;
-  response.evaluate(1, C, params.data(), 0, &W, S, D, &thickness_stretch, &status);
-  return 0.5 * (D[0] + D[1]);
-}
-
 bool has_some(const BlockModel& model) {
   return model.material->response().residual_stiffness() > 0.0;
 }
@@ -45,7 +36,7 @@ ResidualStiffness::ResidualStiffness(const Problem& problem, const Layout& layou
                          : 1.0;
     const auto factor = [&](const std::vector<double>& params) {
       return fabric.response().residual_stiffness() * softer * fabric.thickness() *
-             natural_stiffness(fabric.response(), params);
+             fabric.response().natural_stiffness(params.data());
     };
     const double even = fabric.graduated() ? 0.0 : factor(fabric.params());
     Part part{&local,

@@ -20,6 +20,13 @@ struct SurfacePoint {
   bool found = false;           ///< false: the point is out of range (see Surface::range)
 };
 
+/// How far the surface may be from the body, of which only points are known: what it would change by if it were
+/// smoothed more. Differences that pass through zero: their mean square over some area tells the size of the error.
+struct SurfaceDoubt {
+  double gap = 0.0;             ///< mm
+  Mat3 hessian = Mat3::Zero();  ///< 1/mm
+};
+
 /// Triangles, for output and for import.
 struct TriangleMesh {
   std::vector<Vec3> vertices;
@@ -33,6 +40,8 @@ class Surface {
   /// Closest point and derivatives. Points further than range() may be answered with found = false and a gap that is a
   /// lower bound of the distance.
   virtual SurfacePoint closest(const Vec3& point) const = 0;
+  /// At the closest point of the surface; nothing where there is none, and of a body that is known exactly.
+  virtual SurfaceDoubt doubt(const Vec3&) const { return {}; }
   virtual double range() const = 0;
   /// Triangles that show the surface (results, pictures). `size`: wanted edge length, mm; imported bodies return their
   /// own triangles.

@@ -36,6 +36,7 @@ struct FabricElement {
 struct ContactCluster {
   Vec3 position = Vec3::Zero();  ///< mm
   body::SurfacePoint surface;    ///< of the body, seen from there
+  body::SurfaceDoubt doubt;      ///< of the surface there
   double offset = 0.0;           ///< contact surface inside the mid-surface, mm
   double area = 0.0;             ///< current mid-surface area that belongs to it, mm^2
   double force = 0.0;            ///< of contact, N
@@ -57,12 +58,17 @@ struct FabricInContact {
   std::vector<FabricElement> elements;
   std::vector<int> site_cluster;  ///< [site] its cluster
   std::vector<ContactCluster> clusters;
+  double stiffness = 0.0;  ///< of the fabric, force per length over strain, N/mm: what a wider body does to the tension
 };
 
 /// Pressure of a site, per current mid-surface area.
 struct SitePressure {
   double pressure = 0.0;  ///< MPa, never negative
-  double error = 0.0;     ///< estimate of its error, MPa
+  double error = 0.0;     ///< estimate of its error by the mesh, MPa
+  double of_body = 0.0;   ///< estimate of its error by the shape of the body, MPa
+  /// What the doubt of the body changes the pressure by, MPa, with its sign: its mean over a line is the error of the
+  /// mean, and the turns of a closed line are 2 pi however it is curved.
+  double body_change = 0.0;
 };
 
 struct Recovery {

@@ -24,6 +24,8 @@ class Response {
                        double* thickness_stretch, std::uint8_t* status) const = 0;
   /// Shear modulus D33 (MPa) of the law itself in its natural state C = I, for `params` [n_params].
   virtual double natural_shear_modulus(const double* params) const = 0;
+  /// Mean of D11 and D22 (MPa) there.
+  double natural_stiffness(const double* params) const;
 
   /// Whether fabric wrinkles instead of carrying compression. If not, it is taut everywhere.
   virtual bool relaxes() const { return false; }

@@ -36,16 +36,18 @@ struct Level {
 /// length. A value that does not exist is NaN: all of them if the plane misses the garment.
 struct LevelRow {
   std::string name;
-  std::string section;           ///< number among the sections of that height, "1+2" for the sum of layers; one: empty
-  std::string panels;            ///< that it cuts
-  double height = 0.0;           ///< mm
-  bool closed = false;           ///< the section runs round; an open one has no radius
-  bool mirrored = false;         ///< it does so with its mirror image in a plane of symmetry, which the girth holds
-  double girth = 0.0;            ///< length of the section, mm
-  double pressure_mean = 0.0;    ///< MPa; of layers: what they press on the body together
-  double pressure_min = 0.0;     ///< MPa
-  double pressure_max = 0.0;     ///< MPa
-  double pressure_error = 0.0;   ///< estimate of the error of the mean, MPa
+  std::string section;          ///< number among the sections of that height, "1+2" for the sum of layers; one: empty
+  std::string panels;           ///< that it cuts
+  double height = 0.0;          ///< mm
+  bool closed = false;          ///< the section runs round; an open one has no radius
+  bool mirrored = false;        ///< it does so with its mirror image in a plane of symmetry, which the girth holds
+  double girth = 0.0;           ///< length of the section, mm
+  double pressure_mean = 0.0;   ///< MPa; of layers: what they press on the body together
+  double pressure_min = 0.0;    ///< MPa
+  double pressure_max = 0.0;    ///< MPa
+  double pressure_error = 0.0;  ///< estimate of the error of the mean, MPa: the root of the sum of squares of its parts
+  /// [part of GarmentFields::pressure_errors] MPa
+  std::vector<double> error_parts = {};
   double radius = 0.0;           ///< girth / 2 pi, mm: the mean curvature of a closed section is its inverse
   double hoop_tension = 0.0;     ///< mean tension T along the section, t.N.t with its tangent t, N/mm
   double laplace = 0.0;          ///< T / radius, MPa: Laplace's law for a tube without curvature along it
@@ -69,8 +71,10 @@ std::vector<LevelRow> pressure_curve(const GarmentFields& garment, const Axis& a
 std::vector<std::string> level_warnings(const GarmentFields& garment, const Axis& axis,
                                         const std::vector<LevelRow>& rows);
 
-/// The rows as CSV, pressures in kPa and mmHg; a value that does not exist is an empty cell. Throws InputError.
-void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows);
+/// The rows as CSV, pressures in kPa and mmHg; a value that does not exist is an empty cell. `error_parts`: their
+/// names; empty: they are not written. Throws InputError.
+void write_pressure_csv(const std::string& path, const std::vector<LevelRow>& rows,
+                        const std::vector<std::string>& error_parts = {});
 
 /// Mean pressure (left out at supports) and Laplace's T/r along the axis in kPa, with mmHg on the right, and a marker
 /// at each level that the garment reaches.

@@ -19,15 +19,21 @@ struct PressureReport {
 
 PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report);
 
-/// What fabric presses on a place of the body.
-struct BodyPressure {
-  double pressure = 0.0, error = 0.0;  ///< MPa; layers are added up
-  std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric lies there
+/// What fabric presses at a point of its own or on a place of the body.
+struct PointPressure {
+  double pressure = 0.0, error = 0.0;  ///< MPa; of a place of the body layers are added up
+  std::vector<double> error_parts;     ///< [solve::error_parts()] MPa
+  std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric is there
 };
 
+PointPressure pressure_at(const solve::Fields& fields, int node);
+
 /// [body point of the scene]
-std::vector<BodyPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
-                                         const solve::StepReport& report);
+std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
+                                          const solve::StepReport& report);
+
+/// Names of solve::error_parts().
+std::vector<std::string> error_names();
 
 /// [node] the first of the nodes that a closed seam holds together with it.
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);

@@ -83,6 +83,13 @@ struct Check {
   std::vector<std::string> sections = {};
 };
 
+/// How small the error of the pressure is to be.
+struct Accuracy {
+  double error = 0.0;           ///< relative, of the pressure
+  std::vector<std::string> at;  ///< names of levels, points and body points
+  int most_runs = 0, most_nodes = 0;
+};
+
 /// Everything that one scene file describes, built and ready to be solved. The same on every rank.
 class Scene {
  public:
@@ -99,6 +106,7 @@ class Scene {
   const solve::SolverOptions& solver() const { return solver_; }
   const Output& output() const { return output_; }
   const std::vector<Check>& checks() const { return checks_; }
+  const std::optional<Accuracy>& accuracy() const { return accuracy_; }
   /// Where the run starts: seams are open if a stage sews them, closed otherwise.
   solve::State start() const;
   /// Throws base::InputError if the garment could not be draped onto the body. It is there all the same, to be looked
@@ -128,6 +136,7 @@ class Scene {
   solve::SolverOptions solver_;
   Output output_;
   std::vector<Check> checks_;
+  std::optional<Accuracy> accuracy_;
   std::string drape_fault_;  ///< empty: none
   bool sews_ = false, damps_ = false;
   std::vector<std::string> used_, left_out_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toile/crossing/crossings.hpp"
+#include "toile/solve/pressure_errors.hpp"
 #include "toile/solve/problem.hpp"
 #include "toile/solve/simulation.hpp"
 
@@ -26,7 +27,9 @@ struct Fields {
   /// contact::recover), per current area as in ContactOptions; 0 where the fabric does not touch. Nodes that a seam
   /// ties within a panel share one value; panels on either side of a seam have their own.
   std::vector<double> pressure;
-  std::vector<double> pressure_error;  ///< [node] MPa: estimate of its size; of the mesh alone, not of body and model
+  std::vector<double> pressure_error;  ///< [node] MPa: estimate of its size, of all parts; not of the fabric's model
+  PressureErrors errors;               ///< the parts
+  std::vector<double> body_change;     ///< [node] MPa: that of the body with its sign, see contact::SitePressure
   std::vector<double> contact_force;   ///< [node] N along `normal`: of the solve; a cluster's is shared out by area
   std::vector<double> gap;             ///< [node] mm, of the fabric's contact surface; 0 without a body
   std::vector<Vec3> normal;            ///< [node] of the body at the closest point
@@ -49,8 +52,8 @@ struct Fields {
 /// [node] mm
 std::vector<Vec3> node_positions(const Problem& problem, const State& state);
 
-/// Evaluates the whole garment on the calling rank.
-Fields compute_fields(const Problem& problem, const State& state);
+/// Evaluates the whole garment on the calling rank. `accuracy`: of the state, for the errors of the pressure.
+Fields compute_fields(const Problem& problem, const State& state, const Accuracy& accuracy = {});
 
 /// Sum over the garment of the nodal contact forces: what the garment feels of the body (N).
 Vec3 contact_resultant(const Fields& fields);
