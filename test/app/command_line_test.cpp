@@ -56,9 +56,10 @@ TEST_F(CommandLine, SuggestsAnOption) {
   for (const char* arguments : {"run --threds 2 scene.xml", "run scene.xml --threds=2"}) {
     const Outcome outcome = toile(arguments);
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.err,
-              "toile: unknown option of \"toile run\" \"--threds\"; did you mean \"--threads\"? "
-              "Valid here: --help --output --threads --heartbeat --report --quiet --restart --allow-plugins\n");
+    EXPECT_EQ(
+        outcome.err,
+        "toile: unknown option of \"toile run\" \"--threds\"; did you mean \"--threads\"? "
+        "Valid here: --help --output --threads --heartbeat --report --quiet --no-pictures --restart --allow-plugins\n");
   }
 }
 

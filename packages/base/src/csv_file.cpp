@@ -11,7 +11,7 @@
 namespace toile::base {
 namespace {
 
-constexpr std::size_t most_bytes = 64U << 20U;
+constexpr std::size_t most_csv_bytes = 64U << 20U;
 
 /// What spreadsheets put in front of UTF-8.
 const std::string byte_order_mark = "\xEF\xBB\xBF";
@@ -113,7 +113,7 @@ class DecimalMark {
 CsvFile read_csv(const std::string& path, const std::string& decimal_mark) {
   if (const std::string why = unreadable(path); !why.empty())
     throw InputError("cannot read the data file " + path + ": " + why);
-  const std::string text = read_file(path, "a CSV file", most_bytes);
+  const std::string text = read_file(path, "a CSV file", most_csv_bytes);
   if (text.find('\0') != std::string::npos)
     throw InputError(path + ": this is no text, or UTF-16 text; save it as CSV in UTF-8");
   std::istringstream stream(text);

@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Teuchos::ParameterList;
 
-constexpr const char* include_key = "include";
-constexpr std::size_t most_bytes = 512U << 20U;  ///< of a file that an input names
+constexpr const char* included = "include";
+constexpr std::size_t most_included_bytes = 512U << 20U;  ///< of a file that an input names
 
 Merged whole(const ParameterList& content, const Spec& spec) {
   Merged all = merged({content, ""}, spec.name());
@@ -68,7 +68,7 @@ std::string written(const Parameter& parameter, const std::string& text) {
 Variant::Variant(const Texts& files, const std::string& root) : content_(root) {
   Teuchos::Array<std::string> paths;
   for (const std::string& file : files) paths.push_back(fs::absolute(file).lexically_normal().string());
-  content_.set(include_key, paths);
+  content_.set(included, paths);
 }
 
 void Variant::set(const Spec& spec, const std::string& path, const std::string& text) {
@@ -105,9 +105,9 @@ void Variant::set(const Spec& spec, const std::string& path, const std::string& 
 std::string Variant::xml(const std::string& folder) const {
   ParameterList list = content_;
   Teuchos::Array<std::string> paths;
-  for (const std::string& file : content_.get<Teuchos::Array<std::string>>(include_key))
+  for (const std::string& file : content_.get<Teuchos::Array<std::string>>(included))
     paths.push_back(fs::proximate(file, folder).string());
-  list.set(include_key, paths);
+  list.set(included, paths);
   return xml_of(list);
 }
 
@@ -123,7 +123,7 @@ void add_files(const ParameterList& list, const std::string& path, const Origins
       const std::string file =
           (fs::path(origins.of(below)).parent_path() / Teuchos::getValue<std::string>(list.entry(item))).string();
       if (!unreadable(file).empty()) continue;
-      const std::string bytes = read_file(file, "a file", most_bytes);
+      const std::string bytes = read_file(file, "a file", most_included_bytes);
       text += below + " " + std::to_string(bytes.size()) + " " + std::to_string(std::hash<std::string>()(bytes)) + "\n";
     }
   }
@@ -134,7 +134,7 @@ void add_files(const ParameterList& list, const std::string& path, const Origins
 std::string Variant::identity(const Spec& spec) const {
   const Merged all = merged({content_, ""}, spec.name());
   ParameterList list = all.list;
-  list.remove(include_key, false);
+  list.remove(included, false);
   std::string text = xml_of(list);
   add_files(all.list, spec.name(), all.origins, text);
   return text;
