@@ -40,11 +40,11 @@ TEST_F(Terminal, ShowsWhatTheRunIsFor) {
   write_scene("sleeve");
   const Outcome run = toile("run scene.xml --output out");
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.out, ContainsRegex("middle +[0-9.]+ \\+- [0-9.]+ +[0-9.]+ +100 %"));
+  EXPECT_THAT(run.out, ContainsRegex("middle +[0-9.]+ \\+- [0-9.]+ +[0-9.]+ +mesh [0-9.]+ +100 %"));
   EXPECT_THAT(run.out, ContainsRegex("panel +wale +course\n  sleeve +[0-9.]+ to [0-9.]+ +[0-9.]+ to [0-9.]+"));
   EXPECT_THAT(run.out, HasSubstr("Largest pressure away from supports: "));
   EXPECT_THAT(run.out, HasSubstr(" kPa) in panel \"sleeve\" at ("));
-  EXPECT_THAT(run.out, HasSubstr("Files in out: results.exo history.h5 restart.h5 reactions.csv"));
+  EXPECT_THAT(run.out, HasSubstr("Files in out: results.exo history.h5 restart.h5 run.json reactions.csv"));
 }
 
 // A sleeve with a free end has no stress along its axis: -2e-11 kPa is round-off, shown as 0, and no compression.
