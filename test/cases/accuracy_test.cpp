@@ -87,5 +87,13 @@ TEST_F(Accuracy, IsNotToldOnElementsThatAreTooLarge) {
   EXPECT_THAT(toile("run scene.xml --output results").err, Not(HasSubstr("too large")));
 }
 
+// A run without an accuracy leaves no table of one that was there before: it would be of another mesh.
+TEST_F(Accuracy, OfAnEarlierRunIsTakenAway) {
+  write("results/accuracy.csv", "finer,nodes\n1,78\n");
+  write_cylinder("12");
+  EXPECT_EQ(toile("run scene.xml --output results").status, 0);
+  EXPECT_TRUE(read("results/accuracy.csv").empty());
+}
+
 }  // namespace
 }  // namespace toile::test
