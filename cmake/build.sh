@@ -4,6 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset="$1"
 shift
+# nproc would count the threads of OpenMP instead of processors.
+unset OMP_NUM_THREADS OMP_THREAD_LIMIT
 cmake/install-packages.sh
 
 # A source that includes Trilinos or CGAL takes up to 2 GB to compile.

@@ -64,8 +64,11 @@ void keep(const std::string& folder, const Case& one, const Outcome& outcome, co
 
 std::vector<std::string> command_of(const Case& one, const RunOptions& options) {
   std::vector<std::string> command;
+  // Who started the study has decided under which user it runs, and how many ranks share the processors.
   if (one.ranks > 1)
-    command = {"mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "-n", std::to_string(one.ranks)};
+    command = {
+        "mpirun", "--allow-run-as-root",    "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1",
+        "-n",     std::to_string(one.ranks)};
   for (const char* word :
        {options.program.c_str(), "run", "case.xml", "--output", ".", "--quiet", "--no-pictures", "--threads"})
     command.emplace_back(word);
@@ -99,7 +102,7 @@ std::string end_text(const base::ProcessEnd& end, double most_seconds) {
   else if (end.signal != 0)
     text << "the program was ended by signal " << end.signal;
   else if (end.status != 0)
-    text << "exit status " << end.status;
+    text << "exit status " << end.status << "; messages.txt of the case has what was said";
   return text.str();
 }
 
