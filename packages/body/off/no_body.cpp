@@ -29,6 +29,9 @@ Sections& Sections::operator=(Sections&&) noexcept = default;
 std::vector<SectionPiece> Sections::cut(const Vec3& /*point*/, const Vec3& /*normal*/) const {
   return {};
 }
+std::vector<Vec3> Sections::shortest_way(const Vec3& /*from*/, const Vec3& /*to*/) const {
+  return {};
+}
 double Sections::length_on_surface(const Vec3& /*from*/, const Vec3& /*to*/) const {
   return 0.0;
 }

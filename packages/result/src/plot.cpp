@@ -39,7 +39,7 @@ void write_text(const std::string& path, const std::string& text) {
   replace_file(path, text, "cannot write the plot '" + path + "': ");
 }
 
-/// One block (gnuplot: index) a series: x, y, label; blocks are separated by two empty lines.
+/// One block (gnuplot: index) a series: x, y, error, label; blocks are separated by two empty lines.
 std::string data_text(const Plot& plot) {
   std::ostringstream out;
   out << std::setprecision(10);
@@ -51,6 +51,9 @@ std::string data_text(const Plot& plot) {
         continue;
       }
       out << series.x[i] << ' ' << series.y[i];
+      if (!series.errors.empty()) {
+        out << ' ' << series.errors[i];
+      }
       if (!series.labels.empty()) {
         out << ' ' << label(series.labels[i]);
       }
@@ -67,10 +70,17 @@ std::vector<std::string> curves(const std::string& data, const Series& series, s
   const std::string title = series.title.empty() ? " notitle" : " title " + quoted(series.title);
   const char* kind = !series.markers ? " with lines linewidth 2" : series.line ? " with linespoints" : " with points";
   const std::string source = quoted(data) + " index " + std::to_string(index);
-  std::vector<std::string> result = {source + " using 1:2" + kind +
-                                     (series.markers ? " pointtype 7 pointsize 1.3" : "") + style + title};
+  std::vector<std::string> result;
+  if (!series.errors.empty()) {
+    result.push_back(source +
+                     (series.line
+                          ? " using 1:($2-$3):($2+$3) with filledcurves fillstyle transparent solid 0.2 noborder"
+                          : " using 1:2:3 with yerrorbars pointtype 7 linewidth 2") +
+                     style + " notitle");
+  }
+  result.push_back(source + " using 1:2" + kind + (series.markers ? " pointtype 7 pointsize 1.3" : "") + style + title);
   if (!series.labels.empty()) {
-    result.push_back(source + " using 1:2:3 with labels offset 0,1 notitle");
+    result.push_back(source + " using 1:2:" + (series.errors.empty() ? "3" : "4") + " with labels offset 0,1 notitle");
   }
   return result;
 }

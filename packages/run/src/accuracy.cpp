@@ -115,7 +115,7 @@ std::vector<Counted> counted(const Record& record) {
     const PointPressure at = pressure_at(fields, point.node);
     all.push_back(counted_of(point.title, at.pressure, at.error_parts));
   }
-  const std::vector<PointPressure> on_body = body_pressures(scene, fields, record.last());
+  const std::vector<PointPressure> on_body = body_pressures(scene, scene.output().body_points, fields, record.last());
   for (size_t p = 0; p < on_body.size(); ++p)
     if (const std::string& title = scene.output().body_points[p].title; wanted(title))
       all.push_back(counted_of(title, on_body[p].pressure, on_body[p].error_parts));

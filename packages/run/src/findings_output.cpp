@@ -205,7 +205,8 @@ class Findings : public Observer {
   void end(const Record& record) override {
     const scene::Scene& scene = record.scene();
     const std::string found =
-        findings(scene, record.fields(), record.pressure(), body_pressures(scene, record.fields(), record.last()));
+        findings(scene, record.fields(), record.pressure(),
+                 body_pressures(scene, scene.output().body_points, record.fields(), record.last()));
     log_.info(found + (folder_ != nullptr ? files_text(*folder_) : std::string()));
     if (const auto warning = implausible_pressure(scene, record.fields())) log_.warn(*warning);
   }

@@ -22,6 +22,7 @@ namespace toile::run {
   OUTPUT(force_curves)        \
   OUTPUT(torques)             \
   OUTPUT(pressure)            \
+  OUTPUT(pressure_lines)      \
   OUTPUT(compression_class)   \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \

@@ -105,10 +105,10 @@ PointPressure pressure_at(const solve::Fields& fields, int node) {
   return at;
 }
 
-std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
-                                          const solve::StepReport& report) {
+std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
+                                          const solve::Fields& fields, const solve::StepReport& report) {
   std::vector<solve::Vec3> places, normals;
-  for (const scene::BodyPoint& point : scene.output().body_points) {
+  for (const scene::BodyPoint& point : at) {
     places.push_back(point.place);
     normals.push_back(point.normal);
   }

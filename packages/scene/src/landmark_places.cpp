@@ -90,6 +90,12 @@ class Places {
     in(output, path, "Body points", [&](ParameterList& all, const std::string& here) {
       each(all, here, [&](ParameterList& point, const std::string& there) { points(point, there, {"at"}); });
     });
+    in(output, path, "Lines", [&](ParameterList& all, const std::string& here) {
+      each(all, here, [&](ParameterList& one, const std::string& there) {
+        points(one, there, {"through", "at", "from", "to"});
+        heights(one, there, {"height"}, line);
+      });
+    });
     in(output, path, "Levels", [&](ParameterList& levels, const std::string& here) {
       each(levels, here,
            [&](ParameterList& level, const std::string& there) { heights(level, there, {"height"}, line); });

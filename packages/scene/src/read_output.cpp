@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "pressure_line.hpp"
 #include "toile/base/error.hpp"
 #include "toile/crossing/crossings.hpp"
 #include "toile/garment/bent_axis.hpp"
@@ -119,22 +119,6 @@ bool moves_as_one(const solve::Support& support) {
   return true;
 }
 
-/// Onto the smooth surface, from a point of the body's own triangles or near it.
-BodyPoint read_body_point(const base::List& entry, const body::Surface* surface) {
-  constexpr double near = 20.0;  // mm
-  if (surface == nullptr) entry.fail("at", no_body);
-  const solve::Vec3 place = vector_of(entry, "at");
-  const body::SurfacePoint there = surface->closest(place);
-  std::ostringstream text;
-  if (!there.found || std::abs(there.gap) > near) {
-    text << "lies " << (there.found ? std::to_string(std::lround(std::abs(there.gap))) + " mm" : std::string("far"))
-         << " from the body's skin; allowed are points within " << near
-         << " mm of it, or landmarks on it (left bust point; not bust, which lies in the middle of the body)";
-    entry.fail("at", text.str());
-  }
-  return {entry.name(), there.closest, there.normal};
-}
-
 }  // namespace
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
@@ -194,7 +178,8 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
       out.points.push_back(read_point(entry, *problem.mesh));
   if (list.has_list("Body points"))
     for (const base::List& entry : list.list("Body points").entries())
-      out.body_points.push_back(read_body_point(entry, problem.surface));
+      out.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));
+  if (list.has_list("Lines")) out.lines = read_lines(list.list("Lines"), problem.surface, out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "landmark_places.hpp"
+#include "pressure_line.hpp"
 #include "toile/body/body.hpp"
 #include "toile/drape/drape.hpp"
 #include "toile/garment/finer.hpp"
@@ -77,7 +78,8 @@ Spec output_spec() {
       .list(Spec("Body points",
                  "Places on the body, at which the pressure of whatever fabric lies there is told "
                  "(pressure-points.csv): the same places whatever the mesh.")
-                .entries(body_point));
+                .entries(body_point))
+      .list(lines_spec());
   return output;
 }
 

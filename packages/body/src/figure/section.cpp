@@ -9,7 +9,9 @@
 #include <CGAL/convex_hull_2.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "figure/cgal_mesh.hpp"
@@ -100,14 +102,31 @@ std::vector<SectionPiece> Sections::cut(const Vec3& point, const Vec3& normal) c
   return pieces;
 }
 
-double Sections::length_on_surface(const Vec3& from, const Vec3& to) const {
+std::vector<Vec3> Sections::shortest_way(const Vec3& from, const Vec3& to) const {
   FaceTree faces_tree(faces(data_->mesh).first, faces(data_->mesh).second, data_->mesh);
   Paths paths(data_->mesh);
   const auto start = paths.locate(cgal_point(from), faces_tree);
   const auto end = paths.locate(cgal_point(to), faces_tree);
   paths.add_source_point(start.first, start.second);
-  const double length = paths.shortest_distance_to_source_points(end.first, end.second).first;
-  return length < 0.0 ? std::numeric_limits<double>::infinity() : length;
+  std::vector<CgalPoint> corners;
+  const double length =
+      paths.shortest_path_points_to_source_points(end.first, end.second, std::back_inserter(corners)).first;
+  std::vector<Vec3> way;
+  if (length < 0.0) {
+    return way;
+  }
+  std::transform(corners.rbegin(), corners.rend(), std::back_inserter(way),
+                 [](const CgalPoint& p) { return to_vec(p); });
+  return way;
+}
+
+double Sections::length_on_surface(const Vec3& from, const Vec3& to) const {
+  const std::vector<Vec3> way = shortest_way(from, to);
+  double length = way.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length += (way[i] - way[i - 1]).norm();
+  }
+  return length;
 }
 
 double tape_girth(const std::vector<Vec3>& points, const Vec3& normal) {

@@ -31,8 +31,11 @@ class Sections {
   /// Every curve in which the plane through `point` across `normal` (any length but zero) cuts the body; none if it
   /// misses it. A facet that lies in the plane is met at its edges.
   std::vector<SectionPiece> cut(const Vec3& point, const Vec3& normal) const;
-  /// Length of the shortest way on the facets between the points of the body that are closest to two points, mm; exact
-  /// on the facets (Xin, Wang, ACM Trans. Graphics 28 (2009) 104). Infinite between pieces that are not connected.
+  /// The shortest way on the facets between the points of the body that are closest to two points: its corners, both
+  /// ends among them; exact on the facets (Xin, Wang, ACM Trans. Graphics 28 (2009) 104). Empty between pieces that are
+  /// not connected.
+  std::vector<Vec3> shortest_way(const Vec3& from, const Vec3& to) const;
+  /// Its length, mm; infinite if there is none.
   double length_on_surface(const Vec3& from, const Vec3& to) const;
 
  private:

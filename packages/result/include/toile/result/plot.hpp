@@ -14,6 +14,7 @@ struct Series {
   bool line = true;
   bool markers = false;
   std::vector<std::string> labels;  ///< text beside each point; empty: none
+  std::vector<double> errors = {};  ///< of each y: a band about a line, a bar at a marker; empty: none
   int colour = 0;                   ///< gnuplot's line type; 0: by the series' place
 };
 

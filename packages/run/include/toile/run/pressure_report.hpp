@@ -32,9 +32,9 @@ struct PointPressure {
 
 PointPressure pressure_at(const solve::Fields& fields, int node);
 
-/// [body point of the scene]
-std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,
-                                          const solve::StepReport& report);
+/// [place]
+std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
+                                          const solve::Fields& fields, const solve::StepReport& report);
 
 /// Names of solve::error_parts().
 std::vector<std::string> error_names();

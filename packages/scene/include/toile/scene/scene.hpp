@@ -59,6 +59,13 @@ struct BodyPoint {
   solve::Vec3 normal = solve::Vec3::UnitZ();  ///< of unit length, outwards
 };
 
+/// A line on the body, at places of which the pressure is told.
+struct PressureLine {
+  std::string title;
+  std::vector<double> lengths;    ///< [place] along the line, mm
+  std::vector<BodyPoint> places;  ///< at equal distances along the line
+};
+
 /// Edge length of the triangles of a body given by a formula, unless the scene says otherwise, mm.
 constexpr double formula_body_size = 5.0;
 
@@ -71,6 +78,7 @@ struct Output {
   bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
   std::vector<BodyPoint> body_points;
+  std::vector<PressureLine> lines;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;
