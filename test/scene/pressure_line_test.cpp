@@ -67,7 +67,7 @@ TEST(Lines, ClosedCutTurnsAboutItsNormal) {
 TEST(Lines, SeveralLines) {
   ParameterList scene = scene_with("cut", meridian_cut());
   ParameterList& level = scene.sublist("Output").sublist("Lines").sublist("another");
-  level.set("type", std::string("level")).set("height", 30.0).set("from", reals({1, 0, 0})).set("stations", 5);
+  level.set("type", std::string("level")).set("height", 30.0).set("from", reals({900, 0, 0})).set("stations", 5);
   const std::vector<PressureLine> lines = build(scene)->output().lines;
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1].title, "another");
@@ -89,7 +89,8 @@ TEST(Lines, WithoutABodyAreRefused) {
                         "no list \"Body\", so there is no pressure"));
   ParameterList one = meridian_cut();
   one.set("stations", 1);
-  EXPECT_THAT(input_error(scene_with("cut", one)), HasSubstr("parameter \"stations\" = 1"));
+  EXPECT_THAT(input_error(scene_with("cut", one)),
+              HasSubstr("parameter \"stations\" is out of range: 1, allowed: 2 <= value <= 10000"));
 }
 
 }  // namespace

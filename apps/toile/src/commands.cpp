@@ -12,6 +12,7 @@ namespace toile::app {
   COMMAND(material_build)       \
   COMMAND(identify)             \
   COMMAND(study)                \
+  COMMAND(compare)              \
   COMMAND(body_measure)         \
   COMMAND(body_landmarks)       \
   COMMAND(body_make)            \

@@ -3,6 +3,7 @@
 #include "alike.hpp"
 #include "exodus_output.hpp"
 #include "output.hpp"
+#include "table_output.hpp"
 
 namespace toile::run {
 
@@ -48,7 +49,8 @@ std::vector<Output> registry() {
 }  // namespace
 
 std::vector<std::string> output_files() {
-  std::vector<std::string> files = {"accuracy.csv"};  // of several runs (run_to_accuracy)
+  std::vector<std::string> files = plot_files("pressure-compared");  // of toile compare
+  files.emplace_back("accuracy.csv");                                // of several runs (run_to_accuracy)
   for (const Output& output : registry()) files.insert(files.end(), output.files.begin(), output.files.end());
   return files;
 }

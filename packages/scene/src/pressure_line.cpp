@@ -1,10 +1,12 @@
 #include "pressure_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
 
 #include "skin_curve.hpp"
+#include "straighten.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/section.hpp"
 
@@ -17,6 +19,7 @@ using base::Spec;
 using solve::Vec3;
 
 constexpr double near_skin = 20.0;  // mm
+constexpr double fine = 1.0;        // mm; between the points of which a line is made
 
 std::string text_of(const Vec3& point) {
   std::ostringstream text;
@@ -59,13 +62,32 @@ class LineReader {
     if (points.size() < 2) entry.fail("through", "found 1 point, expected at least 2");
     for (Vec3& point : points) point = place_on_body(entry, "through", point, &surface_).place;
     for (size_t i = 1; i < points.size(); ++i) {
-      const std::vector<Vec3> part = skin_.shortest_way(points[i - 1], points[i]);
-      if (part.empty())
-        entry.fail("through", "no way on the body joins its points " + std::to_string(i) + " and " +
-                                  std::to_string(i + 1) + ", which lie on different pieces of it");
+      if ((points[i] - points[i - 1]).norm() < fine) continue;
+      const std::vector<Vec3> part = shortest_way(entry, points[i - 1], points[i], i);
       way.insert(way.end(), part.begin(), part.end());
     }
+    if (way.empty()) entry.fail("through", "its points lie at one place of the body");
     return way;
+  }
+
+  /// The facets' way is found from both ends and drawn tight: CGAL 5.5 finds ways through corners and along edges that
+  /// are some percent too long.
+  std::vector<Vec3> shortest_way(const base::List& entry, const Vec3& from, const Vec3& to, size_t number) const {
+    const std::string points = "its points " + std::to_string(number) + " and " + std::to_string(number + 1);
+    std::vector<Vec3> best;
+    for (const bool turned : {false, true}) {
+      const std::vector<Vec3> facets = turned ? skin_.shortest_way(to, from) : skin_.shortest_way(from, to);
+      if (facets.empty())
+        entry.fail("through", "no way on the body joins " + points + ", which lie on different pieces of it");
+      std::vector<Vec3> way = straightened(surface_, facets, fine);
+      if (turned) std::reverse(way.begin(), way.end());
+      if (best.empty() || (!way.empty() && lengths_along(way).back() < lengths_along(best).back()))
+        best = std::move(way);
+    }
+    if (best.empty())
+      entry.fail("through", "the way between " + points +
+                                " cannot be drawn tight on the body; give points between them, or a \"cut\"");
+    return best;
   }
 
   std::vector<Vec3> cut(const base::List& entry) const {
@@ -103,7 +125,6 @@ class LineReader {
 
   /// A way on the facets becomes one on the smooth surface, whose length counts.
   PressureLine on_skin(const base::List& entry, const std::string& parameter, const std::vector<Vec3>& facets) const {
-    constexpr double fine = 1.0;  // mm
     const auto onto = [&](const Vec3& point) {
       const body::SurfacePoint there = surface_.closest(point);
       if (!there.found)

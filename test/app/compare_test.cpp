@@ -1,0 +1,98 @@
+// toile compare, as its user meets it: table, plot, exit status, and what is said of bad input.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "program.hpp"
+
+namespace toile::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Compare : public ProgramTest {
+ protected:
+  Compare() {
+    std::filesystem::create_directory(path("run"));
+    write("run/pressure-levels.csv",
+          "level,mean pressure [kPa],mean pressure [mmHg],Laplace T/r [kPa],error of the mean pressure [kPa]\n"
+          "B,3.0,22.50186,,0.1\nC,2.0,15.00124,,0.05\n");
+    write("run/pressure-points.csv", "point,pressure [kPa],its error [kPa]\n\"1 bust, left\",1.5,0.2\n2 back,1.0,\n");
+  }
+  Outcome compare(const std::string& rows, const std::string& titles = "name,pressure [kPa],scatter [kPa]") const {
+    write("measured.csv", titles + "\n" + rows);
+    return toile("compare run measured.csv");
+  }
+  void expect_refused(const Outcome& outcome, const std::string& message) const {
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(exists("run/pressure-compared.csv"));
+  }
+};
+
+// Deviations are computed less measured: their mean has its sign, the largest is that of the largest amount; bars that
+// have a common point agree.
+TEST_F(Compare, PlacesWithinBothScatters) {
+  const Outcome outcome = compare("B,2.8,0.15\nC,2.02,0\n\"1 bust, left\",1.53,0.1\n");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("mean deviation     0.050 kPa, 0.38 mmHg"),
+                                 HasSubstr("largest deviation  0.200 kPa, 1.50 mmHg, at B")));
+  EXPECT_EQ(read("run/pressure-compared.csv"),
+            "name,measured [kPa],its scatter [kPa],computed [kPa],its error [kPa],deviation [kPa],within both\n"
+            "B,2.8,0.15,3,0.1,0.2,yes\nC,2.02,0,2,0.05,-0.02,yes\n\"1 bust, left\",1.53,0.1,1.5,0.2,-0.03,yes\n");
+  for (const char* end : {".dat", ".gp", ".svg", ".png"})
+    EXPECT_TRUE(exists(std::string("run/pressure-compared") + end));
+}
+
+// A place whose bars have no common point is named, and is a check that did not hold; table and plot are there.
+TEST_F(Compare, PlaceBeyondBothScatters) {
+  const Outcome outcome = compare("B,2.8,0.05\nC,2.02,0\n");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("differ by more than scatter and error together: B"));
+  EXPECT_THAT(read("run/pressure-compared.csv"), HasSubstr("B,2.8,0.05,3,0.1,0.2,no\nC,2.02,0,2,0.05,-0.02,yes\n"));
+}
+
+// Measured values in mmHg are laid beside the same kPa.
+TEST_F(Compare, MeasuredInMmhg) {
+  const Outcome outcome = compare("C,15.00124,0.375031\n", "name,pressure [mmHg],scatter [mmHg]");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read("run/pressure-compared.csv"), HasSubstr("C,2,0.05,2,0.05,0,yes\n"));
+}
+
+// Bad input is refused with what is wrong, where, and what is allowed.
+TEST_F(Compare, BadInput) {
+  expect_refused(compare("BB,2.8,0.1\n"), "measured.csv: \"BB\" is no level or point of the run in run");
+  expect_refused(compare("B,2.8,0.1\n", "name,pressure [Pa],scatter [kPa]"),
+                 "has the unit \"Pa\"; allowed in its title: [kPa], [mmHg]");
+  expect_refused(compare("B,2.8,0.1\n", "name,pressure [kPa],scater [kPa]"),
+                 "no column \"scatter\"; did you mean \"scater\"?");
+  expect_refused(compare("B,2.8,-0.1\n"), "line 2, column 3 \"scatter\": \"-0.1\", expected 0 or more");
+  expect_refused(compare(""), "no pressure follows the line of titles");
+  expect_refused(compare("2 back,1,0.1\n"), "pressure-points.csv, line 3, column 3 \"its error\": the cell is empty");
+  expect_refused(toile("compare nowhere measured.csv"), "neither pressure-levels.csv nor pressure-points.csv is there");
+}
+
+// Places that are given by positions: what the run shows on its body there, T/r of the sleeve and nothing beyond it.
+TEST_F(Compare, Positions) {
+  std::ifstream stream(TOILE_SOURCE_DIR "/test/data/cases/pressure/sleeve.xml");
+  write("scene.xml", std::string((std::istreambuf_iterator<char>(stream)), {}));
+  ASSERT_EQ(toile("run scene.xml --output sleeve").status, 0);
+  const std::string titles = "name,x [mm],y [mm],z [mm],pressure [kPa],scatter [kPa]\n";
+  write("measured.csv", titles + "sensor 1,0,61.5,101,1.0931,0.01\nsensor 2,-70,0,112,1.0931,0.01\nfoot,60,0,20,0,0\n");
+  const Outcome outcome = toile("compare sleeve measured.csv --output compared");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read("compared/pressure-compared.csv"),
+              AllOf(HasSubstr("name,x [mm],y [mm],z [mm],measured [kPa]"),
+                    HasSubstr("sensor 1,0,61.5,101,1.0931,0.01,1.09"), HasSubstr("foot,60,0,20,0,0,0,0,0,yes")));
+  write("measured.csv", titles + "sensor 1,0,90,101,1.0931,0.01\n");
+  EXPECT_THAT(
+      toile("compare sleeve measured.csv").err,
+      HasSubstr("measured.csv: \"sensor 1\" at (0, 90, 101) lies 30 mm from the body's skin; allowed are 20 mm"));
+  write("measured.csv", "name,x [mm],y [mm],pressure [kPa],scatter [kPa]\nsensor 1,0,61.5,1.0931,0.01\n");
+  EXPECT_THAT(toile("compare sleeve measured.csv").err, HasSubstr("measured.csv: there is no column \"z\""));
+}
+
+}  // namespace
+}  // namespace toile::test
