@@ -76,13 +76,36 @@ TEST(Section, TwoLegs) {
     EXPECT_NEAR(piece.tape_girth, per_radius * (piece.centre.x() > 0.0 ? 60.0 : 50.0), 1e-9);
 }
 
-// The shortest way on a prism is a straight line on its faces laid flat.
-TEST(Section, LengthOnSurface) {
-  constexpr int sides = 24;
-  const Sections sections(closed_tube(ring(60.0, 60.0, sides), 200.0));
+// The shortest way on a prism is a straight line on its faces laid flat, along edges and through vertices too; the
+// corners of the way are that long.
+TEST(Section, ShortestWays) {
+  constexpr int sides = 76;
+  const auto angle = [](int i) { return 2.0 * M_PI * i / sides; };
   const double side = 2.0 * 60.0 * std::sin(M_PI / sides);
-  const Vec3 from(60.0, 0.0, 50.0), to(0.0, 60.0, 130.0);  // six faces further
-  EXPECT_NEAR(sections.length_on_surface(from, to), std::hypot(6.0 * side, 80.0), 1e-9);
+  const auto corner = [&](int i) { return Vec3(60.0 * std::cos(angle(i)), 60.0 * std::sin(angle(i)), 0.0); };
+  body::TriangleMesh tube;  // of regular rows, 5 mm high
+  constexpr int rows = 40;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i < sides; ++i) tube.vertices.push_back(corner(i) + 5.0 * j * Vec3::UnitZ());
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < sides; ++i) {
+      const int a = j * sides + i, b = j * sides + (i + 1) % sides;
+      tube.triangles.push_back({a, b, b + sides});
+      tube.triangles.push_back({a, b + sides, a + sides});
+    }
+  const Sections sections(tube);
+  const auto at = [&](int face, double share, double z) -> Vec3 {
+    return (1.0 - share) * corner(face) + share * corner(face + 1) + z * Vec3::UnitZ();
+  };
+  for (const double rise : {0.0, 80.0})
+    for (const double share : {0.0, 0.25, 0.5}) {
+      const Vec3 from = at(0, share, 100.0), to = at(25, 0.0, 100.0 + rise);
+      const double exact = std::hypot((25.0 - share) * side, rise);
+      EXPECT_NEAR(sections.length_on_surface(from, to), exact, 1e-3) << share;
+      const std::vector<Vec3> way = sections.shortest_way(from, to);
+      EXPECT_LT((way.front() - from).norm(), 1e-3);
+      EXPECT_LT((way.back() - to).norm(), 1e-3);
+    }
 }
 
 // Volume, area and number of pieces of two prisms.

@@ -57,6 +57,28 @@ TEST_F(ReportInBrowser, ShowsTheRun) {
   EXPECT_THAT(page, HasSubstr("<span id=\"legend-high\">3.2 kPa (24 mmHg)</span>"));
 }
 
+// Lines on the body are drawn each with its name, measured points over the line that they lie on, and beside computed
+// values in a table of their own.
+TEST_F(ReportInBrowser, ShowsLinesAndMeasuredPoints) {
+  const Example example;
+  example.write("pressure-lines.csv",
+                "line,arc length [mm],x [mm],y [mm],z [mm],pressure [kPa],pressure [mmHg],its error [kPa],its error "
+                "[mmHg],gap [mm]\nshin,0,60,0,0,1.5,11.25,0.1,0.75,0\nshin,37.5,60,0,37.5,1.25,9.375,0.1,0.75,0\n"
+                "calf,0,-60,0,0,1.75,13.125,0.1,0.75,0\ncalf,37.5,-60,0,37.5,1.125,8.4375,0.1,0.75,0\n");
+  example.write("pressure-compared.csv",
+                "name,x [mm],y [mm],z [mm],measured [kPa],its scatter [kPa],computed [kPa],its error "
+                "[kPa],deviation [kPa],within both\nsensor 1,62,0,36,1.3125,0.0625,1.26,0.1,-0.0525,yes\n"
+                "sensor 2,0,90,0,2.5,0.125,1.5,0.1,-1,no\n");
+  const std::string page = document(example);
+  EXPECT_THAT(marks(page), HasSubstr("data-ready=\"yes\""));
+  EXPECT_THAT(marks(page), Not(HasSubstr("data-error")));
+  EXPECT_THAT(page, HasSubstr("<figcaption>Pressure along lines on the body</figcaption>"));
+  EXPECT_THAT(page, HasSubstr("diamonds: measured within 10 mm of the line, with their scatter"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">calf</th><td>37.5</td><td>1.125</td><td>0.1</td>"));
+  EXPECT_THAT(page,
+              HasSubstr("<th scope=\"row\">sensor 2</th><td>2.5 ± 0.13</td><td>1.5 ± 0.1</td><td>-1</td><td>no</td>"));
+}
+
 // A table without a line, and results with neither record nor error of the pressure, are no fault.
 TEST_F(ReportInBrowser, DoesWithLess) {
   const Example example({"pressure"});

@@ -37,7 +37,7 @@ function pointTable(title, points, options) {
     ...(hasError ? [digits(p.error, 2)] : [])]));
 }
 
-/** Values by name with error bars, one a row: rows: [{ name, y, error, low, high, beside }] in the shown unit. */
+/** Values by name with error bars, one a row: rows: [{ name, y, error, low, high, beside, besideError }] in the shown unit. */
 function bars(title, rows, label, besideLabel) {
   const P = libraries, shown = rows.filter((row) => Number.isFinite(row.y));
   if (shown.length === 0) return make("p", { class: "hint" }, `${title}: no values.`);
@@ -46,6 +46,8 @@ function bars(title, rows, label, besideLabel) {
   marks.push(P.ruleY(shown.filter((r) => r.error > 0), { y: "name", x1: (r) => r.y - r.error, x2: (r) => r.y + r.error,
     stroke: blue, strokeWidth: 2.5 }));
   marks.push(P.dot(shown, { y: "name", x: "y", fill: blue, r: 4.5 }));
+  marks.push(P.ruleY(shown.filter((r) => r.besideError > 0), { y: "name", x1: (r) => r.beside - r.besideError, x2: (r) => r.beside + r.besideError,
+    stroke: "#a04b00", strokeWidth: 1.5 }));
   marks.push(P.dot(shown.filter((r) => Number.isFinite(r.beside)), { y: "name", x: "beside", stroke: "#a04b00", symbol: "diamond", r: 4.5 }));
   const longest = Math.max(...shown.map((r) => r.name.length));
   const picture = P.plot({ width: 640, height: 80 + 28 * shown.length, marginBottom: 44, marginLeft: Math.min(240, 20 + 7.5 * longest), ariaLabel: title,

@@ -56,18 +56,50 @@ function namedPressures(table, title) {
     folded(`All columns of ${table.name}`, runTable(table)));
 }
 
+/** Measured pressures beside computed ones (toile compare). */
+function comparedPressures(table) {
+  if (!table || table.rows.length === 0) return null;
+  const title = "Measured and computed pressure", within = columnOf(table, /^within both$/);
+  const [y, error, measured, scatter, deviation] = [/^computed \[kPa\]$/, /^its error \[kPa\]$/, /^measured \[kPa\]$/, /^its scatter \[kPa\]$/,
+    /^deviation \[kPa\]$/].map((pattern) => pressuresOf(table, pattern));
+  const rows = table.rows.map((row) => ({ name: row[0], y: y(row), error: error(row), beside: measured(row), besideError: scatter(row) }));
+  const bar = (value, its) => `${digits(value, 3)} ± ${digits(its, 2)}`;
+  const cells = table.rows.map((row, r) => [row[0], bar(rows[r].beside, rows[r].besideError), bar(rows[r].y, rows[r].error), digits(deviation(row), 2), row[within]]);
+  return make("div", {}, bars(title, rows, `pressure (${pressureUnit})`, "measured, with its scatter"),
+    makeTable(`${title}, ${pressureUnit}`, ["place", "measured", "computed", "deviation", "within both"].map((text) => ({ title: text })), cells));
+}
+
+/** Of the measured places those that lie within 10 mm of a line, at the arc length of its closest station. */
+function measuredOnLines(table) {
+  const compared = tableNamed("pressure-compared.csv");
+  if (table.name !== "pressure-lines.csv" || !compared || columnOf(compared, /^x \[mm\]$/) < 0) return [];
+  const placeIn = (one) => { const columns = ["x", "y", "z"].map((c) => columnOf(one, new RegExp(`^${c} \\[mm\\]$`))); return (row) => columns.map((c) => numberIn(row, c)); };
+  const stationAt = placeIn(table), measuredAt = placeIn(compared), x = columnOf(table, /^arc length \[mm\]$/);
+  const y = pressuresOf(compared, /^measured \[kPa\]$/), error = pressuresOf(compared, /^its scatter \[kPa\]$/);
+  return compared.rows.flatMap((row) => {
+    const distance = (station) => Math.hypot(...stationAt(station).map((value, c) => value - measuredAt(row)[c]));
+    const station = table.rows.reduce((best, other) => (distance(other) < distance(best) ? other : best));
+    return distance(station) <= 10 ? [{ x: numberIn(station, x), y: y(row), error: error(row), name: row[0], series: `measured on ${station[0]}` }] : [];
+  });
+}
+
 /** Pressure over a length, with its error as a band: any table whose name begins with "pressure" and that has both. */
 function pressureLine(table) {
   const x = columnOf(table, /^(height|distance|length|arc length|position) \[mm\]$/);
   const y = pressuresOf(table, /^(mean )?pressure \[kPa\]$/), error = pressuresOf(table, /error.*pressure \[kPa\]$|^its error \[kPa\]$/);
   const low = pressuresOf(table, /^smallest pressure \[kPa\]$/), high = pressuresOf(table, /^largest pressure \[kPa\]$/);
-  const laplace = pressuresOf(table, /^Laplace T\/r \[kPa\]$/), support = columnOf(table, /^at a support$/);
+  const laplace = pressuresOf(table, /^Laplace T\/r \[kPa\]$/), support = columnOf(table, /^at a support$/), line = columnOf(table, /^line$/);
   const rows = table.rows.filter((row) => row[support] !== "1");
-  const points = rows.map((row) => ({ x: numberIn(row, x), y: y(row), error: error(row), low: low(row), high: high(row), series: "pressure" }));
+  const points = rows.map((row) => ({ x: numberIn(row, x), y: y(row), error: error(row), low: low(row), high: high(row), series: line < 0 ? "pressure" : row[line] }));
   for (const row of rows) if (Number.isFinite(laplace(row))) points.push({ x: numberIn(row, x), y: laplace(row), series: "Laplace T/r" });
-  const figure = chart(`Pressure along ${table.columns[x].title}`, points,
-    { x: withUnit(table.columns[x].title, "mm"), y: `pressure (${pressureUnit})`, zero: true, marks: levelMarks(table) });
-  return make("div", {}, figure, make("p", { class: "hint" }, "Dark band: error of the pressure; light band: smallest to largest value there."),
+  const measured = measuredOnLines(table), bounds = { x: "x", y1: (p) => p.y - p.error, y2: (p) => p.y + p.error };
+  const marks = [...levelMarks(table), libraries.ruleX(measured, { ...bounds, stroke: "#1c1b1a", strokeWidth: 1.5 }),
+    libraries.dot(measured, { x: "x", y: "y", r: 4.5, symbol: "diamond", fill: "#1c1b1a" }), libraries.text(measured, { x: "x", y: "y", text: "name", dy: -12 })];
+  const figure = chart(line < 0 ? `Pressure along ${table.columns[x].title}` : "Pressure along lines on the body", points,
+    { x: withUnit(table.columns[x].title, "mm"), y: `pressure (${pressureUnit})`, zero: true, marks });
+  const meaning = ["Dark band: error of the pressure", points.some((p) => Number.isFinite(p.low)) ? "light band: smallest to largest value there" : "",
+    measured.length > 0 ? "diamonds: measured within 10 mm of the line, with their scatter" : ""].filter(Boolean).join("; ");
+  return make("div", {}, figure, make("p", { class: "hint" }, `${meaning}.`),
     folded(`All columns of ${table.name}`, runTable(table)));
 }
 
@@ -85,7 +117,8 @@ const isLine = (table) => /^pressure/.test(table.name) && !/-(levels|points)\.cs
 
 function fillPressures() {
   refill("levels", namedPressures(tableNamed("pressure-levels.csv"), "Mean pressure at the levels"),
-    namedPressures(tableNamed("pressure-points.csv"), "Pressure at the points"));
+    namedPressures(tableNamed("pressure-points.csv"), "Pressure at the points"),
+    comparedPressures(tableNamed("pressure-compared.csv")));
   refill("lines", ...tables.filter((table) => isLine(table) && table.rows.length > 0).map(pressureLine));
 }
 
@@ -144,7 +177,7 @@ function forceCurves(table) {
 }
 
 function fillTables() {
-  const others = tables.filter((table) => !isLine(table) && !/^pressure-(levels|points)\.csv$/.test(table.name));
+  const others = tables.filter((table) => !isLine(table) && !/^pressure-(levels|points|compared)\.csv$/.test(table.name));
   const forces = tableNamed("force-curves.csv");
   refill("tables", forces && forceCurves(forces), ...others.map((table) =>
     (table.rows.length > 0 ? folded(table.name, runTable(table)) : make("p", { class: "hint" }, `${table.name}: no rows.`))));

@@ -1,6 +1,5 @@
 #include "pressure_line.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -70,24 +69,16 @@ class LineReader {
     return way;
   }
 
-  /// The facets' way is found from both ends and drawn tight: CGAL 5.5 finds ways through corners and along edges that
-  /// are some percent too long.
   std::vector<Vec3> shortest_way(const base::List& entry, const Vec3& from, const Vec3& to, size_t number) const {
     const std::string points = "its points " + std::to_string(number) + " and " + std::to_string(number + 1);
-    std::vector<Vec3> best;
-    for (const bool turned : {false, true}) {
-      const std::vector<Vec3> facets = turned ? skin_.shortest_way(to, from) : skin_.shortest_way(from, to);
-      if (facets.empty())
-        entry.fail("through", "no way on the body joins " + points + ", which lie on different pieces of it");
-      std::vector<Vec3> way = straightened(surface_, facets, fine);
-      if (turned) std::reverse(way.begin(), way.end());
-      if (best.empty() || (!way.empty() && lengths_along(way).back() < lengths_along(best).back()))
-        best = std::move(way);
-    }
-    if (best.empty())
+    const std::vector<Vec3> facets = skin_.shortest_way(from, to);
+    if (facets.empty())
+      entry.fail("through", "no way on the body joins " + points + ", which lie on different pieces of it");
+    std::vector<Vec3> way = straightened(surface_, facets, fine);
+    if (way.empty())
       entry.fail("through", "the way between " + points +
                                 " cannot be drawn tight on the body; give points between them, or a \"cut\"");
-    return best;
+    return way;
   }
 
   std::vector<Vec3> cut(const base::List& entry) const {

@@ -32,8 +32,8 @@ class Sections {
   /// misses it. A facet that lies in the plane is met at its edges.
   std::vector<SectionPiece> cut(const Vec3& point, const Vec3& normal) const;
   /// The shortest way on the facets between the points of the body that are closest to two points: its corners, both
-  /// ends among them; exact on the facets (Xin, Wang, ACM Trans. Graphics 28 (2009) 104). Empty between pieces that are
-  /// not connected.
+  /// ends among them; right on the facets within 1e-4 mm (Xin, Wang, ACM Trans. Graphics 28 (2009) 104). Empty between
+  /// pieces that are not connected.
   std::vector<Vec3> shortest_way(const Vec3& from, const Vec3& to) const;
   /// Its length, mm; infinite if there is none.
   double length_on_surface(const Vec3& from, const Vec3& to) const;
