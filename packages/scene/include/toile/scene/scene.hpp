@@ -122,7 +122,8 @@ class Scene {
  private:
   std::vector<drape::Held> held_while_draped(const base::List& scene) const;
   void drape_garment(const base::List& scene, const base::List& list);
-  void build_laws(const base::List& list, const material::Laws& laws);
+  void read_materials(const base::List& list, const material::Laws& laws);
+  void build_models(const base::List& list);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;
   void check_shells_of_moments(const base::List& loads) const;
