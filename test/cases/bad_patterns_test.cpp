@@ -115,8 +115,9 @@ TEST_F(BadPattern, NamesThatAreNotThere) {
   EXPECT_THAT(toile("check fabric.xml").err, HasSubstr("did you mean \"knit\"?"));
 }
 
-// Elements wider than a panel and a level beside the garment are told before anything is solved.
-TEST_F(BadPattern, ElementsAndLevelsThatCannotBe) {
+// Elements wider than a panel, a level beside the garment and a weight that no fabric has are told before anything is
+// solved.
+TEST_F(BadPattern, NumbersThatCannotBe) {
   write_tube(170.0);
   write_tube_scene();
   std::string scene = read("tube.xml");
@@ -125,12 +126,15 @@ TEST_F(BadPattern, ElementsAndLevelsThatCannotBe) {
   scene.insert(scene.rfind("</"), R"(<ParameterList name="Output"><ParameterList name="Levels">
     <ParameterList name="knee"><Parameter name="height" type="double" value="900"/></ParameterList>
     <ParameterList name="middle"><Parameter name="height" type="double" value="200"/></ParameterList>
-    </ParameterList></ParameterList>)");
+    </ParameterList></ParameterList>
+    <ParameterList name="Loads"><ParameterList name="own"><Parameter name="type" type="string" value="weight"/>
+    <Parameter name="area density" type="double" value="1.5e5"/></ParameterList></ParameterList>)");
   write("tube.xml", scene);
   const std::string said = toile("check tube.xml").err;
   EXPECT_THAT(said, HasSubstr("panel \"front\": \"element size\" = 5000 mm is wider than the panel allows"));
   EXPECT_THAT(said,
               HasSubstr("level \"knee\" is at a height of 900 mm, and the garment starts between 140 and 260 mm"));
+  EXPECT_THAT(said, HasSubstr("load \"own\": \"area density\" = 150000 g/m^2 is no fabric's"));
   EXPECT_THAT(said, Not(HasSubstr("level \"middle\"")));
 }
 

@@ -107,7 +107,13 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     const auto phase = timer.phase("partition");
     build_problem(list, ranks);
   }
-  if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  try {
+    if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  } catch (const base::InputError& error) {
+    // A pattern of another size has its points elsewhere, and is the reason to be told first.
+    if (drape_fault_.empty()) throw;
+    throw base::InputError(drape_fault_ + "\n" + error.what());
+  }
   problem_.crossings = output_.crossings && crossing::available();
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   if (const auto accuracy = optional_list(list, "Accuracy"))

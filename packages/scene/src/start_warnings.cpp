@@ -171,6 +171,20 @@ Texts level_warnings(const Scene& scene) {
   return texts;
 }
 
+Texts weight_warnings(const base::List& list) {
+  constexpr double least = 5.0, most = 2000.0;  // g/m^2: a stocking of 8 den has 10, a winter coat 800
+  Texts texts;
+  if (!list.has_list("Loads")) return texts;
+  for (const base::List& load : list.list("Loads").entries()) {
+    if (load.word("type") != "weight") continue;
+    const double density = load.real("area density");
+    if (density < least || density > most)
+      texts.push_back("load " + quoted(load.name()) + ": \"area density\" = " + short_number(density) +
+                      " g/m^2 is no fabric's; knits have 10 to 500. Is it in another unit (1 kg/m^2 is 1000 g/m^2)?");
+  }
+  return texts;
+}
+
 Texts loose_warnings(const std::vector<LoosePart>& parts, bool sewn) {
   Texts texts;
   for (const LoosePart& part : parts)
