@@ -16,6 +16,7 @@
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
 #include "toile/scene/compression_class.hpp"
+#include "toile/scene/tester.hpp"
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 
@@ -71,6 +72,7 @@ struct Output {
   bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
   std::vector<BodyPoint> body_points;
+  std::vector<Tester> testers;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;
