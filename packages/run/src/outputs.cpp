@@ -25,6 +25,7 @@ namespace toile::run {
   OUTPUT(pressure)            \
   OUTPUT(pressure_lines)      \
   OUTPUT(compression_class)   \
+  OUTPUT(testers)             \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
   OUTPUT(crossing_warnings)   \

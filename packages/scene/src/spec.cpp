@@ -79,7 +79,8 @@ Spec output_spec() {
                  "Places on the body, at which the pressure of whatever fabric lies there is told "
                  "(pressure-points.csv): the same places whatever the mesh.")
                 .entries(body_point))
-      .list(lines_spec());
+      .list(lines_spec())
+      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()));
   return output;
 }
 
