@@ -68,6 +68,21 @@ TEST(Plot, ColourAndLegendAreChosen) {
               AllOf(HasSubstr("set key noenhanced below"), HasSubstr("linetype 7")));
 }
 
+// Errors are a band about a line, and bars at markers, whose labels stay.
+TEST(Plot, ErrorsAreBandsAndBars) {
+  const TemporaryFolder folder;
+  Plot plot = example();
+  plot.series[0].errors.assign(61, 0.125);
+  plot.series[1].errors = {0.25, 0.5, 0.0625};
+  const auto warning = write_plot(folder.path().string(), "errors", plot);
+  EXPECT_FALSE(warning) << *warning;
+  const std::string data = read_text(folder.file("errors.dat"));
+  EXPECT_THAT(data, AllOf(HasSubstr("\n100 0.9 0.125\n"), HasSubstr("\n400 0.5 0.5 \"C\"\n")));
+  EXPECT_THAT(read_text(folder.file("errors.gp")),
+              AllOf(HasSubstr("index 0 using 1:($2-$3):($2+$3) with filledcurves"),
+                    HasSubstr("index 1 using 1:2:3 with yerrorbars"), HasSubstr("index 1 using 1:2:4 with labels")));
+}
+
 // The points and a script that draws SVG and PNG from them stay in the results, with all texts of the plot.
 TEST(Plot, WritesDataAndScript) {
   const TemporaryFolder folder;
