@@ -48,7 +48,7 @@ TEST_F(CommandLine, SuggestsASubcommand) {
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err,
             "toile: unknown subcommand \"chek\"; did you mean \"check\"? Valid here: run report check dress material "
-            "identify study body describe\n");
+            "identify study compare body describe\n");
 }
 
 // A misspelt option is answered by the nearest one, whether its value is written with a blank or with "=".

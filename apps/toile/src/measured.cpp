@@ -160,9 +160,10 @@ Pressures by_position(const MeasuredPlaces& measured, const std::string& folder)
       throw base::InputError(text.str());
     }
     double value = 0.0, its_error = 0.0;
+    const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(hit.triangle)];
     for (int k = 0; k < 3; ++k) {
-      const auto node = static_cast<std::size_t>(
-          results.garment_nodes + mesh.triangles[static_cast<std::size_t>(hit.triangle)][static_cast<std::size_t>(k)]);
+      const std::size_t node = static_cast<std::size_t>(results.garment_nodes) +
+                               static_cast<std::size_t>(corners[static_cast<std::size_t>(k)]);
       value += hit.barycentric[k] * pressure[node];
       its_error += hit.barycentric[k] * error[node];
     }

@@ -11,7 +11,7 @@ namespace toile::run {
 
 namespace {
 
-const std::string file_name = "testers.csv";
+const std::string testers_name = "testers.csv";
 
 /// MPa.
 struct Reading {
@@ -64,8 +64,8 @@ class Testers : public Observer {
     }
     log_.info(text);
     if (folder_ == nullptr) return;
-    result::write_csv(folder_->file(file_name), table);
-    folder_->add(file_name);
+    result::write_csv(folder_->file(testers_name), table);
+    folder_->add(testers_name);
   }
 
  private:
@@ -76,7 +76,7 @@ class Testers : public Observer {
 }  // namespace
 
 Output testers_output() {
-  return {{file_name}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
+  return {{testers_name}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
             if (context.scene.output().testers.empty()) return nullptr;
             return std::make_unique<Testers>(context);
           }};
