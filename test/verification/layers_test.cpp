@@ -140,6 +140,28 @@ TEST(Layers, AreAddedUpHoweverThick) {
   expect_sum(scene, sum(exact_pressures(4, 3.0)), "4 layers of 3 mm");
 }
 
+// A layer may have several panels: what lies over a front and a back lies over one thickness, not over two.
+TEST(Layers, LieOverPanelsBesideEachOther) {
+  Teuchos::ParameterList scene = layers(2);
+  Teuchos::ParameterList &panels = scene.sublist("Panels"), &seams = scene.sublist("Seams");
+  for (const char* name : {"front", "back"}) {
+    panels.sublist(name) = panels.sublist("layer 1");
+    panels.sublist(name).set("width", 0.5 * width);
+    panels.sublist(name).set("elements across", 24);
+    panels.sublist(name).sublist("Placement").set("coverage", 0.5);
+  }
+  panels.sublist("back").sublist("Placement").set("angle", 180.0);
+  panels.remove("layer 1");
+  panels.sublist("layer 2").set("over", Teuchos::Array<std::string>(base::Texts{"front", "back"}));
+  seams.remove("side 1");
+  seams.sublist("one").set("first", "front.right").set("second", "back.left");
+  seams.sublist("other").set("first", "back.right").set("second", "front.left");
+  scene.sublist("Supports")
+      .sublist("lower ends")
+      .set("on", Teuchos::Array<std::string>(base::Texts{"front.bottom", "back.bottom", "layer 2.bottom"}));
+  expect_sum(scene, sum(exact_pressures(2)), "over two halves");
+}
+
 // Per area of the inner face layers press with the sum of their tensions over the radius of the skin.
 TEST(Layers, PressTheSkinItselfOnItsArea) {
   Teuchos::ParameterList scene = layers(4);

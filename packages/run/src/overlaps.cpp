@@ -95,7 +95,7 @@ class FabricOnBody {
   std::vector<std::vector<double>> over_;  ///< [panel][place] 1 where it touches
 };
 
-std::string percent(double share) {
+std::string rounded_percent(double share) {
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
@@ -106,7 +106,7 @@ std::string untold(const FabricOnBody& fabric, int a, int b) {
   const double most = std::max(of_a, of_b);
   if (most <= counts) return "";
   const std::string first = fabric.name(a), second = fabric.name(b);
-  return "panels " + first + " and " + second + " lie over each other on " + percent(most) + " of " +
+  return "panels " + first + " and " + second + " lie over each other on " + rounded_percent(most) + " of " +
          (of_a > of_b ? first : second) +
          ", and both press as if they lay on the body itself: too little, the more so the thicker they are. Let the "
          "outer one name the other in its \"over\": " +
@@ -119,7 +119,8 @@ std::string beside(const FabricOnBody& fabric, int panel, const std::vector<int>
   const double touching = fabric.area_with(panel, {panel});
   const double covered = fabric.area_with(panel, beneath);
   if (covered >= most_of_it * touching) return "";
-  return "panel " + fabric.name(panel) + " lies over what its \"over\" names on only " + percent(covered / touching) +
+  return "panel " + fabric.name(panel) + " lies over what its \"over\" names on only " +
+         rounded_percent(covered / touching) +
          " of the area where it presses, and is lifted off the body by that everywhere. Divide it where what lies "
          "beneath it ends";
 }
