@@ -3,6 +3,10 @@
 
 Usage, from the project's folder: doc/leave-out.py [PATH-OF-toile]
 """
+import glob
+import os
+import resource
+import subprocess
 import sys
 
 import study_tables as tables
@@ -15,6 +19,28 @@ built: no unknown and no object of it is there, which `test/run/leave_out_test.c
 
 | part | unknowns | Newton iterations | factorisations | processor time s | of that without | memory MB | force N |
 |---|---|---|---|---|---|---|---|
+"""
+
+
+def always(folder, toile):
+    """Of the strip on its body: what every run with files computes and writes, and the page that one may ask for."""
+    rows = [row for row in tables.table(folder, "study") if row["part"] == "body and contact" and row["status"] == "0"]
+    seconds = {of: min(float(row[of]) for row in rows) for of in ("processor time [s]", "fields", "restart")}
+    run = os.path.dirname(glob.glob(os.path.join(folder, "case-*body*first*", "results.exo"))[0])
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([toile, "report", run], check=True, stdout=subprocess.DEVNULL)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds["report"] = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    whole = seconds["processor time [s]"]
+    return f"""
+Fields (stresses, pressure with its recovery, errors) and the restart file are made at every step that is written; they are
+parts of the runs above. The page of `toile report` is another command. Of the strip with body and contact:
+
+| part | s | of its run |
+|---|---|---|
+| fields, recovery and errors | {seconds["fields"]:.2f} | {100 * seconds["fields"] / whole:.0f} % |
+| restart file | {seconds["restart"]:.2f} | {100 * seconds["restart"] / whole:.0f} % |
+| `toile report` | {seconds["report"]:.2f} | {100 * seconds["report"] / whole:.0f} % more |
 """
 
 
@@ -37,6 +63,7 @@ def main(toile="build/release/toile"):
         one = rows[0]
         text += (f"| {part} | {one['unknowns']} | {one['Newton iterations']} | {one['factorisations']} | {seconds:.2f} | "
                  f"{100 * seconds / without:.0f} % | {memory:.0f} | {tables.rounded(one['force'], 6)} |\n")
+    text += always("results/leave-out", toile if toile != "--page" else "build/release/toile")
     with open("doc/leave-out.md", "w") as file:
         file.write(text)
 

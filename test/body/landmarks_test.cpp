@@ -101,6 +101,33 @@ TEST(Landmarks, FollowTheBody) {
   }
 }
 
+// A body that looks aside has its landmarks where they are on the one that looks ahead, turned with it.
+TEST(Landmarks, TurnWithTheBody) {
+  for (const double degrees : {-5.0, 2.0, 7.0, 30.0}) {
+    const Eigen::AngleAxisd turn(degrees * M_PI / 180.0, Vec3::UnitZ());
+    const Landmarks turned = body::find_landmarks(moved([&turn](const Vec3& v) { return Vec3(turn * v); }));
+    EXPECT_TRUE(turned.missing.empty());
+    for (const Landmark& l : turned.found) {
+      const Landmark& of_shipped = shipped_landmarks().at(l.name);
+      SCOPED_TRACE(l.name + " at " + std::to_string(degrees));
+      EXPECT_LT((l.point - turn * of_shipped.point).norm(), 1.0);
+      EXPECT_LT((l.normal - turn * of_shipped.normal).norm(), 2e-3);
+      EXPECT_NEAR(l.girth, of_shipped.girth, 0.5);
+    }
+  }
+}
+
+// A body that looks sideways, stands on its head or lies is refused with what to do.
+TEST(Landmarks, OtherStance) {
+  EXPECT_THAT(refusal([] { body::find_landmarks(moved([](const Vec3& v) { return Vec3(v.y(), -v.x(), v.z()); })); }),
+              HasSubstr("the trunk of the body is wider along y than along x, as if it looked sideways; landmarks are "
+                        "found on a body that looks towards -y, with z up: turn it about z"));
+  EXPECT_THAT(refusal([] { body::find_landmarks(moved([](const Vec3& v) { return Vec3(v.x(), -v.y(), -v.z()); })); }),
+              HasSubstr("the body stands on its head"));
+  EXPECT_THAT(refusal([] { body::find_landmarks(moved([](const Vec3& v) { return Vec3(v.x(), v.z(), -v.y()); })); }),
+              HasSubstr("the body is longer along y (1580 mm) than it is high (382.2 mm), as if it lay"));
+}
+
 // A body that looks elsewhere is refused with where its feet point.
 TEST(Landmarks, OtherFront) {
   EXPECT_THAT(refusal([] { body::find_landmarks(moved([](const Vec3& v) { return Vec3(-v.x(), -v.y(), v.z()); })); }),

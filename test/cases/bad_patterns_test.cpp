@@ -1,5 +1,6 @@
 // Patterns that do not fit their body or cannot be sewn, in a scene and by `toile dress`: refused with what is wrong.
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -11,6 +12,7 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class BadPattern : public ProgramTest {
  protected:
@@ -94,6 +96,46 @@ TEST_F(BadPattern, StitchToWhatIsMissing) {
   for (const std::string& message : {scene_refusal(), dress_refusal()})
     EXPECT_THAT(message, HasSubstr("tube.json: stitch 0, second side, panel: there is no panel \"bakc\"; did you mean "
                                    "\"back\"?"));
+}
+
+// An entry of the scene for a panel that the pattern does not have is refused with the nearest name, and a fabric that
+// is not there before the body is looked at.
+TEST_F(BadPattern, NamesThatAreNotThere) {
+  write_tube(170.0);
+  write_tube_scene();
+  const std::string scene = read("tube.xml"), panels = R"(<ParameterList name="Panels"><ParameterList name="fornt">
+    <Parameter name="wale angle" type="double" value="0"/></ParameterList></ParameterList>)";
+  write("panel.xml", scene.substr(0, scene.rfind("</")) + panels + scene.substr(scene.rfind("</")));
+  EXPECT_THAT(toile("check panel.xml").err,
+              AllOf(HasSubstr("panel.xml: scene > Panels > fornt: the pattern"),
+                    HasSubstr("tube.json has no panel of this name"), HasSubstr("did you mean \"front\"?")));
+  std::filesystem::remove(path("column.obj"));
+  write("fabric.xml", scene.substr(0, scene.find("\"knit\"/>")) + "\"nkit\"/>" +
+                          scene.substr(scene.find("\"knit\"/>") + std::string("\"knit\"/>").size()));
+  EXPECT_THAT(toile("check fabric.xml").err, HasSubstr("did you mean \"knit\"?"));
+}
+
+// Elements wider than a panel, a level beside the garment and a weight that no fabric has are told before anything is
+// solved.
+TEST_F(BadPattern, NumbersThatCannotBe) {
+  write_tube(170.0);
+  write_tube_scene();
+  std::string scene = read("tube.xml");
+  const std::string size = R"("element size" type="double" value="12")";
+  scene.replace(scene.find(size), size.size(), R"("element size" type="double" value="5000")");
+  scene.insert(scene.rfind("</"), R"(<ParameterList name="Output"><ParameterList name="Levels">
+    <ParameterList name="knee"><Parameter name="height" type="double" value="900"/></ParameterList>
+    <ParameterList name="middle"><Parameter name="height" type="double" value="200"/></ParameterList>
+    </ParameterList></ParameterList>
+    <ParameterList name="Loads"><ParameterList name="own"><Parameter name="type" type="string" value="weight"/>
+    <Parameter name="area density" type="double" value="1.5e5"/></ParameterList></ParameterList>)");
+  write("tube.xml", scene);
+  const std::string said = toile("check tube.xml").err;
+  EXPECT_THAT(said, HasSubstr("panel \"front\": \"element size\" = 5000 mm is wider than the panel allows"));
+  EXPECT_THAT(said,
+              HasSubstr("level \"knee\" is at a height of 900 mm, and the garment starts between 140 and 260 mm"));
+  EXPECT_THAT(said, HasSubstr("load \"own\": \"area density\" = 150000 g/m^2 is no fabric's"));
+  EXPECT_THAT(said, Not(HasSubstr("level \"middle\"")));
 }
 
 // Sides of a seam whose lengths differ beyond its ease are refused with both lengths, the difference and the way out.

@@ -7,6 +7,7 @@
 
 #include "app/exodus.hpp"
 #include "app/program.hpp"
+#include "toile/base/csv_file.hpp"
 
 namespace toile::test {
 namespace {
@@ -140,6 +141,43 @@ TEST_F(Pressure, OnASeamIsThatBesideIt) {
     ankle[static_cast<size_t>(mesh)] = at(0, across, 2);
   }
   EXPECT_NEAR(ankle[0], ankle[1], 0.01 * ankle[1]);
+}
+
+// Over the hollow of a body no fabric presses; a point of it beside fabric that presses may do so, and its error says
+// how much. In the middle of the hollow there is no doubt.
+TEST_F(Pressure, OfAPointAtTheEdgeOfContactIsInDoubt) {
+  std::string points = "<ParameterList name=\"Points\">";
+  for (int y = 0; y <= 100; y += 5)
+    points += "<ParameterList name=\"p" + std::to_string(y) +
+              "\"><Parameter name=\"on\" type=\"string\" value=\"sleeve@(160 " + std::to_string(y) +
+              ")\"/></ParameterList>";
+  const std::string levels = "<ParameterList name=\"Levels\">";
+  write_scene("sleeve", {{"value=\"cylinder\"", "value=\"cosine\""},
+                         {"value=\"60\"/>",
+                          "value=\"60\"/><Parameter name=\"amplitude\" type=\"double\" value=\"9\"/>"
+                          "<Parameter name=\"period\" type=\"double\" value=\"130\"/>"},
+                         {"name=\"elements along\" type=\"int\" value=\"9\"",
+                          "name=\"elements along\" type=\"int\" value=\"20\""},
+                         {"value=\"200\"", "value=\"320\""},
+                         {levels, points + "</ParameterList>" + levels}});
+  const Outcome outcome = toile("run scene.xml --output out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const base::CsvFile table = base::read_csv(path("out/pressure-points.csv"), "point");
+  const auto column = [&table](const std::string& name) {
+    const auto named = [&name](const base::CsvColumn& one) { return one.name == name; };
+    return base::numbers(table, *std::find_if(table.columns.begin(), table.columns.end(), named));
+  };
+  const std::vector<double> pressure = column("pressure"), error = column("its error");
+  ASSERT_EQ(pressure.size(), 21U);
+  int in_doubt = 0, free = 0;
+  for (size_t i = 1; i + 1 < pressure.size(); ++i) {
+    if (pressure[i] > 0.0) continue;
+    const double beside = std::max(pressure[i - 1], pressure[i + 1]);
+    ++(beside > 0.0 ? in_doubt : free);
+    EXPECT_NEAR(error[i], beside, 0.01 * beside) << 5 * i << " mm";
+  }
+  EXPECT_EQ(in_doubt, 2);
+  EXPECT_GT(free, 3);
 }
 
 }  // namespace

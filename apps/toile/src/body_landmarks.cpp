@@ -52,7 +52,7 @@ int tell_landmarks(const LandmarksArguments& arguments) {
   if (Tpetra::getDefaultComm()->getSize() > 1)
     throw base::InputError("body landmarks runs on one rank; start it without mpirun");
   const body::Import import = read_body(arguments.body);
-  const body::Landmarks landmarks = body::find_landmarks(import.mesh);
+  const body::Landmarks landmarks = body::find_landmarks(import.mesh, arguments.body.file);
   print(landmarks);
   if (!arguments.json.empty()) write_json(landmarks, arguments.json);
   return static_cast<int>(base::ExitCode::success);

@@ -64,7 +64,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
 /// The body with its landmarks, which are looked for when the first is named.
 class Measured {
  public:
-  explicit Measured(const body::TriangleMesh& mesh) : mesh_(mesh), sections_(mesh) {}
+  Measured(const body::TriangleMesh& mesh, std::string file) : mesh_(mesh), file_(std::move(file)), sections_(mesh) {}
   const body::Sections& sections() const { return sections_; }
 
   Place place(const std::string& text) {
@@ -78,7 +78,7 @@ class Measured {
       place.point = place.is_height ? Vec3(0.0, 0.0, values->front()) : Vec3((*values)[0], (*values)[1], (*values)[2]);
       return place;
     }
-    if (!landmarks_) landmarks_ = body::find_landmarks(mesh_);
+    if (!landmarks_) landmarks_ = body::find_landmarks(mesh_, file_);
     const body::Landmark landmark = landmarks_->place(text);
     place.point = landmark.point;
     if (!landmark.normal.isZero()) place.normal = landmark.normal;
@@ -88,6 +88,7 @@ class Measured {
 
  private:
   const body::TriangleMesh& mesh_;
+  std::string file_;
   body::Sections sections_;
   std::optional<body::Landmarks> landmarks_;
 };
@@ -170,7 +171,7 @@ int measure_body(const MeasureArguments& arguments) {
     throw base::InputError("--csv writes the sections, and --at asks for none");
   const body::Import import = read_body(arguments.body);
   const body::Extent extent = body::extent_of(import.mesh);
-  Measured body(import.mesh);
+  Measured body(import.mesh, arguments.body.file);
   std::vector<Row> rows;
   for (const std::string& text : arguments.at) add_rows(arguments, &body, text, &rows);
   std::cout << "extents    ";

@@ -48,6 +48,9 @@ Landmarks landmarks_of(const base::List& /*list*/) {
 Landmarks find_landmarks(const TriangleMesh& /*mesh*/) {
   refuse();
 }
+Landmarks find_landmarks(const TriangleMesh& /*mesh*/, const std::string& /*file*/) {
+  refuse();
+}
 
 SurfacePtr make_from_file(const base::List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
   return make_surface(list, nullptr);

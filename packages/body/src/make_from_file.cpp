@@ -79,7 +79,7 @@ Landmarks landmarks_of(const List& list) {
               "landmarks are found on bodies from files and on mannequins; on one that is given by a formula give "
               "numbers");
   }
-  return find_landmarks(import_body(path_of(list), read_import_options(list)).mesh);
+  return find_landmarks(import_body(path_of(list), read_import_options(list)).mesh, path_of(list));
 }
 
 SurfacePtr make_from_file(const List& list, const Region* region, BodyFindings* findings) {

@@ -75,7 +75,9 @@ class Dressing {
 
   std::string scale_text(const Dressed& dressed) const {
     if (dressed.fitting_scale <= 0.0) return "no --scale was found with which it is as wide as the body";
-    return "with --scale " + decimals(dressed.fitting_scale, 2) + " its tightest place would be as wide as the body";
+    return "with --scale " + decimals(dressed.fitting_scale, 2) + " its tightest place would be as wide as the body, " +
+           (dressed.tightest.stretch() > 1.0 ? "so that it would no longer press (a garment that presses is narrower)"
+                                             : "so that a little less makes it press");
   }
 
   void check(const Dressed& dressed) const {

@@ -1,6 +1,7 @@
 #include "toile/garment/pattern.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -54,12 +55,34 @@ class Filling {
     fill(entry, "reversed", stitch.reversed, file_);
   }
 
+  /// An entry that is neither of the pattern nor whole by itself has a wrong name.
+  void check_names(const pattern::Pattern& pattern) const {
+    base::Texts panels, stitches;
+    for (const pattern::Panel& panel : pattern.panels) panels.push_back(panel.name);
+    for (const pattern::Stitch& stitch : pattern.stitches) stitches.push_back(stitch.name);
+    check_names("Panels", "shape", "panel", panels);
+    check_names("Seams", "first", "stitch", stitches);
+  }
+
  private:
   struct Entry {
     ParameterList& list;
     std::string path;
   };
 
+  void check_names(const std::string& list, const char* own, const char* kind, const base::Texts& names) const {
+    if (!scene_.isSublist(list)) return;
+    const ParameterList& entries = scene_.sublist(list);
+    for (auto item = entries.begin(); item != entries.end(); ++item) {
+      const std::string& name = entries.name(item);
+      if (!entries.isSublist(name) || entries.sublist(name).isParameter(own)) continue;
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      const std::string path = "scene > " + list + " > " + name;
+      throw base::InputError(origins_.of(path) + ": " + path + ": the pattern " + file_ + " has no " + kind +
+                             " of this name, and the entry has no parameter \"" + own + "\" that would make it one" +
+                             base::hint(name, names));
+    }
+  }
   /// False where a parameter stands in the place of a list, which the validation will tell.
   bool is_open(const std::string& list, const std::string& name) const {
     if (!scene_.isParameter(list)) return true;
@@ -138,6 +161,7 @@ void add_pattern(ParameterList& scene, base::Origins& origins) {
   Filling filling(scene, origins, options);
   for (const pattern::Panel& panel : pattern.panels) filling.add(panel);
   for (const pattern::Stitch& stitch : pattern.stitches) filling.add(stitch);
+  filling.check_names(pattern);
 }
 
 }  // namespace toile::garment

@@ -112,7 +112,7 @@ std::vector<Counted> counted(const Record& record) {
   const solve::Fields& fields = record.fields();
   for (const scene::Point& point : scene.output().points) {
     if (!wanted(point.title)) continue;
-    const PointPressure at = pressure_at(fields, point.node);
+    const PointPressure at = pressure_at(scene, fields, point.node);
     all.push_back(counted_of(point.title, at.pressure, at.error_parts));
   }
   const std::vector<PointPressure> on_body = body_pressures(scene, fields, record.last());

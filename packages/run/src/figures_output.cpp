@@ -44,8 +44,18 @@ class FiguresOutput : public TableOutput {
     add("linear iterations", work.linear_iterations);
     add("factorisations", work.factorisations);
     add("wall time", last.seconds, "s");
+    for (const std::string name : {"fields", "restart"}) add("time of " + name, seconds_of(name), "s");
     add("peak memory", base::peak_memory(), "MB");
     TableOutput::write("figures", table);
+  }
+
+ private:
+  /// Of all phases of this name, wherever they are.
+  double seconds_of(const std::string& name) const {
+    double seconds = 0.0;
+    for (const base::Timer::Phase& phase : timer().phases())
+      if (phase.name == name) seconds += phase.seconds;
+    return seconds;
   }
 };
 

@@ -100,7 +100,7 @@ std::string point_table(const scene::Scene& scene, const solve::Fields& fields,
                     number("%.3g", base::mpa_to_kpa(at.pressure)), parts_of_error(at.error_parts),
                     at.gap ? number("%.2f", *at.gap) : "no fabric"});
   };
-  for (const scene::Point& point : scene.output().points) add(point.title, pressure_at(fields, point.node));
+  for (const scene::Point& point : scene.output().points) add(point.title, pressure_at(scene, fields, point.node));
   for (size_t p = 0; p < on_body.size(); ++p) add(scene.output().body_points[p].title, on_body[p]);
   return "Pressure at the points +- its error\n" + columns(rows);
 }

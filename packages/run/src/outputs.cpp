@@ -23,6 +23,7 @@ namespace toile::run {
   OUTPUT(torques)             \
   OUTPUT(pressure)            \
   OUTPUT(compression_class)   \
+  OUTPUT(testers)             \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
   OUTPUT(crossing_warnings)   \

@@ -35,7 +35,7 @@ class PointPressures : public TableOutput {
       for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
     };
     for (const scene::Point& point : record.scene().output().points)
-      add(point.title, fields.position[point.node], pressure_at(fields, point.node));
+      add(point.title, fields.position[point.node], pressure_at(record.scene(), fields, point.node));
     const std::vector<scene::BodyPoint>& points = record.scene().output().body_points;
     const std::vector<PointPressure> pressures = body_pressures(record.scene(), fields, record.last());
     for (size_t p = 0; p < points.size(); ++p) add(points[p].title, points[p].place, pressures[p]);

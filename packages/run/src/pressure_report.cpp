@@ -41,6 +41,30 @@ std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, co
   return std::pair(static_cast<int>(normal), std::round(place / flat) * flat);
 }
 
+double norm(const std::vector<double>& parts) {
+  return std::sqrt(std::inner_product(parts.begin(), parts.end(), parts.begin(), 0.0));
+}
+
+/// [solve::error_parts()][node] MPa. Whether fabric touches is known within an element: a node that is free may press
+/// like the neighbour that presses most.
+std::vector<std::vector<double>> parts_of_points(const scene::Scene& scene, const solve::Fields& fields) {
+  std::vector<double> mesh = fields.errors.mesh;
+  for (const mesh::Block& block : scene.problem().mesh->blocks) {
+    const int per = block.nodes_per_element;
+    for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += per) {
+      double most = 0.0;
+      std::for_each(node, node + per, [&](int n) { most = std::max(most, fields.pressure[n]); });
+      std::for_each(node, node + per, [&](int n) {
+        if (!(fields.pressure[n] > 0.0)) mesh[n] = std::max(mesh[n], most);
+      });
+    }
+  }
+  std::vector<std::vector<double>> parts;
+  for (const solve::ErrorPart& part : solve::error_parts())
+    parts.push_back(part.values == &solve::PressureErrors::mesh ? mesh : fields.errors.*part.values);
+  return parts;
+}
+
 }  // namespace
 
 std::vector<std::string> error_names() {
@@ -105,10 +129,10 @@ const result::LevelRow* section(const PressureReport& pressure, const std::strin
   return nullptr;
 }
 
-PointPressure pressure_at(const solve::Fields& fields, int node) {
-  PointPressure at{fields.pressure[node], fields.pressure_error[node], {}, fields.gap[node]};
-  for (const solve::ErrorPart& part : solve::error_parts())
-    at.error_parts.push_back((fields.errors.*part.values)[node]);
+PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node) {
+  PointPressure at{fields.pressure[node], 0.0, {}, fields.gap[node]};
+  for (const std::vector<double>& part : parts_of_points(scene, fields)) at.error_parts.push_back(part[node]);
+  at.error = norm(at.error_parts);
   return at;
 }
 
@@ -124,13 +148,12 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve
   const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
                             layers = map.map(std::vector<double>(fields.position.size(), 1.0));
   std::vector<std::vector<double>> parts;
-  for (const solve::ErrorPart& part : solve::error_parts()) parts.push_back(map.map(fields.errors.*part.values));
+  for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.map(part));
   std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
     all.push_back({pressure[p], 0.0, {}, std::nullopt});
     for (const std::vector<double>& part : parts) all.back().error_parts.push_back(part[p]);
-    all.back().error = std::sqrt(std::inner_product(all.back().error_parts.begin(), all.back().error_parts.end(),
-                                                    all.back().error_parts.begin(), 0.0));
+    all.back().error = norm(all.back().error_parts);
     if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
   }
   return all;

@@ -40,6 +40,7 @@ const solve::StepReport& Record::last() const {
 
 std::shared_ptr<const solve::Fields> Record::shared_fields() const {
   if (fields_ == nullptr) {
+    const auto phase = timer_.phase("fields");
     auto fields = std::make_shared<solve::Fields>(
         solve::compute_fields(scene_.problem(), state_, reports_.empty() ? solve::Accuracy() : last().accuracy));
     if (!reports_.empty()) drop_round_off(last().balance.magnitude, fields.get());

@@ -9,13 +9,14 @@ namespace {
 
 class Restart : public Observer {
  public:
-  explicit Restart(std::shared_ptr<Folder> folder) : folder_(std::move(folder)) {}
+  Restart(std::shared_ptr<Folder> folder, base::Timer& timer) : folder_(std::move(folder)), timer_(timer) {}
 
   void start(const Record& record) override {
     if (!record.reports().empty()) folder_->add(restart_name);
   }
 
   void step(const Record& record) override {
+    const auto phase = timer_.phase("restart");
     write_restart(folder_->file(restart_name), record);
     folder_->add(restart_name);
   }
@@ -26,6 +27,7 @@ class Restart : public Observer {
 
  private:
   std::shared_ptr<Folder> folder_;
+  base::Timer& timer_;
 };
 
 }  // namespace
@@ -33,7 +35,7 @@ class Restart : public Observer {
 Output restart_output() {
   return {{restart_name}, [](const OutputContext& context) -> std::unique_ptr<Observer> {
             if (context.folder == nullptr || !result::files_available()) return nullptr;
-            return std::make_unique<Restart>(context.folder);
+            return std::make_unique<Restart>(context.folder, context.timer);
           }};
 }
 

@@ -21,6 +21,7 @@ class TableOutput : public Observer {
   void write(const std::string& name, const result::Table& table);
   /// NAME.png and what it is made of.
   void draw(const std::string& name, const result::Plot& plot);
+  base::Timer& timer() const { return timer_; }
 
  private:
   std::shared_ptr<Folder> folder_;

@@ -135,6 +135,18 @@ BodyPoint read_body_point(const base::List& entry, const body::Surface* surface)
   return {entry.name(), there.closest, there.normal};
 }
 
+/// Its support or level is there.
+void check_tester(const base::List& entry, const Output& output, const solve::Problem& problem) {
+  const std::string kind = std::holds_alternative<FlatJaws>(output.testers.back().kind) ? "support" : "level";
+  base::Texts valid;
+  if (kind == "support")
+    for (const solve::Support& support : problem.supports) valid.push_back(support.name);
+  else
+    for (const Level& level : output.levels) valid.push_back(level.name);
+  if (std::find(valid.begin(), valid.end(), entry.word(kind)) == valid.end())
+    entry.fail(kind, unknown(kind, entry.word(kind), valid));
+}
+
 }  // namespace
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
@@ -195,6 +207,11 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   if (list.has_list("Body points"))
     for (const base::List& entry : list.list("Body points").entries())
       out.body_points.push_back(read_body_point(entry, problem.surface));
+  if (list.has_list("Testers"))
+    for (const base::List& entry : list.list("Testers").entries()) {
+      out.testers.push_back(read_tester(entry));
+      check_tester(entry, out, problem);
+    }
   return out;
 }
 

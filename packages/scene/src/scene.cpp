@@ -73,6 +73,10 @@ std::optional<body::Region> reach_of_moved_garment(const base::List& list) {
 
 Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const material::Laws& laws)
     : title_(list.word("title")) {
+  // A body takes the longest to read; what does not need it is checked before.
+  read_materials(list, laws);
+  stages_ = solve::read_stages(list.list("Stages"));
+  if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
   {
     const auto phase = timer.phase("body");
     if (const auto body = optional_list(list, "Body")) {
@@ -89,8 +93,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     const auto phase = timer.phase("drape");
     drape_garment(list, *drape);
   }
-  build_laws(list, laws);
-  stages_ = solve::read_stages(list.list("Stages"));
+  build_models(list);
   for (const solve::StageOptions& stage : stages_) {
     sews_ = sews_ || stage.kind->closes_seams();
     damps_ = damps_ || stage.damping.active;
@@ -100,12 +103,17 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
       list.list("Stages").entries()[k].fail(
           "continuation", "must be \"natural\" in a scene with a body: what is in contact may change along a step");
   if (sews_ && garment_.seams.empty()) fail_sewing(list.list("Stages"));
-  if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
   {
     const auto phase = timer.phase("partition");
     build_problem(list, ranks);
   }
-  if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  try {
+    if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+  } catch (const base::InputError& error) {
+    // A pattern of another size has its points elsewhere, and is the reason to be told first.
+    if (drape_fault_.empty()) throw;
+    throw base::InputError(drape_fault_ + "\n" + error.what());
+  }
   problem_.crossings = output_.crossings && crossing::available();
   if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
   if (const auto accuracy = optional_list(list, "Accuracy"))
@@ -149,7 +157,7 @@ void Scene::check_drape() const {
   if (!drape_fault_.empty()) throw base::InputError(drape_fault_);
 }
 
-void Scene::build_laws(const base::List& list, const material::Laws& laws) {
+void Scene::read_materials(const base::List& list, const material::Laws& laws) {
   base::Texts names;
   for (const base::List& entry : list.list("Materials").entries()) {
     names.push_back(entry.name());
@@ -159,13 +167,16 @@ void Scene::build_laws(const base::List& list, const material::Laws& laws) {
     if (materials_.count(of.word("material")) == 0)
       of.fail("material", "no entry of the list \"Materials\" has this name" + base::hint(of.word("material"), names));
   };
-  const std::vector<base::List> panels = list.list("Panels").entries();
-  for (const base::List& panel : panels) {
+  for (const base::List& panel : list.list("Panels").entries()) {
     check_name(panel);
     if (!panel.has_list("Zones")) continue;
     for (const base::List& zone : panel.list("Zones").entries())
       if (!zone.word("material").empty()) check_name(zone);
   }
+}
+
+void Scene::build_models(const base::List& list) {
+  const std::vector<base::List> panels = list.list("Panels").entries();
   for (size_t b = 0; b < garment_.mesh.blocks.size(); ++b) {
     const material::Material& fabric = *materials_.at(garment_.mesh.blocks[b].material);
     const bool quads = garment_.mesh.blocks[b].nodes_per_element == 4;

@@ -77,7 +77,8 @@ Spec output_spec() {
       .list(Spec("Body points",
                  "Places on the body, at which the pressure of whatever fabric lies there is told "
                  "(pressure-points.csv): the same places whatever the mesh.")
-                .entries(body_point));
+                .entries(body_point))
+      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()));
   return output;
 }
 

@@ -113,6 +113,9 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   append(report.warnings, crossing_warnings(scene));
   append(report.warnings, scene.body().warnings);
   append(report.warnings, scale_warnings(scene.body(), panels));
+  append(report.warnings, size_warnings(list, panels));
+  append(report.warnings, level_warnings(scene));
+  append(report.warnings, weight_warnings(list));
   append(report.warnings, girth_warnings(panels));
   append(report.warnings, pressure_warnings(panels));
   append(report.warnings, loose_warnings(loose_parts(scene), !open));

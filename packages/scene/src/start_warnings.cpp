@@ -137,6 +137,54 @@ Texts depth_warnings(const PanelStart& panel) {
           " nodes): contact brings each node out on the side that is nearest to it. Place the panel outside"};
 }
 
+Texts size_warnings(const base::List& list, const std::vector<PanelStart>& panels) {
+  constexpr double much = 3.0;
+  Texts texts;
+  for (const base::List& entry : list.list("Panels").entries()) {
+    const auto panel =
+        std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.name == entry.name(); });
+    if (panel == panels.end() || !entry.given("element size")) continue;
+    const double wanted = entry.real("element size");
+    if (wanted > much * panel->size)
+      texts.push_back("panel " + quoted(panel->name) + ": \"element size\" = " + short_number(wanted) +
+                      " mm is wider than the panel allows; its elements are " + short_number(panel->size) +
+                      " mm wide, the fewest that its outline takes. Such a mesh is too coarse for a pressure: take "
+                      "elements of a tenth of the panel's width or less");
+  }
+  return texts;
+}
+
+Texts level_warnings(const Scene& scene) {
+  constexpr double around = 0.25;  // of the garment's height, by which it may move
+  double lower = HUGE_VAL, upper = -HUGE_VAL;
+  for (const solve::Vec3& at : scene.start().position) {
+    lower = std::min(lower, at.z());
+    upper = std::max(upper, at.z());
+  }
+  const double margin = around * (upper - lower);
+  Texts texts;
+  for (const Level& level : scene.output().levels)
+    if (level.height < lower - margin || level.height > upper + margin)
+      texts.push_back("level " + quoted(level.name) + " is at a height of " + short_number(level.height) +
+                      " mm, and the garment starts between " + short_number(lower) + " and " + short_number(upper) +
+                      " mm: nothing will be found there");
+  return texts;
+}
+
+Texts weight_warnings(const base::List& list) {
+  constexpr double least = 5.0, most = 2000.0;  // g/m^2: a stocking of 8 den has 10, a winter coat 800
+  Texts texts;
+  if (!list.has_list("Loads")) return texts;
+  for (const base::List& load : list.list("Loads").entries()) {
+    if (load.word("type") != "weight") continue;
+    const double density = load.real("area density");
+    if (density < least || density > most)
+      texts.push_back("load " + quoted(load.name()) + ": \"area density\" = " + short_number(density) +
+                      " g/m^2 is no fabric's; knits have 10 to 500. Is it in another unit (1 kg/m^2 is 1000 g/m^2)?");
+  }
+  return texts;
+}
+
 Texts loose_warnings(const std::vector<LoosePart>& parts, bool sewn) {
   Texts texts;
   for (const LoosePart& part : parts)

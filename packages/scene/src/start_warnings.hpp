@@ -19,6 +19,12 @@ std::vector<std::string> girth_warnings(const std::vector<PanelStart>& panels);
 std::vector<std::string> pressure_warnings(const std::vector<PanelStart>& panels);
 /// Panels that start deeper in the body than their elements are wide.
 std::vector<std::string> depth_warnings(const PanelStart& panel);
+/// Elements that were asked for larger than the panel lets them be; `list`: of the scene.
+std::vector<std::string> size_warnings(const base::List& list, const std::vector<PanelStart>& panels);
+/// Levels of the output that lie far above or below the garment.
+std::vector<std::string> level_warnings(const Scene& scene);
+/// A weight that no fabric has; `list`: of the scene.
+std::vector<std::string> weight_warnings(const base::List& list);
 /// `sewn`: the seams are closed at the start already, so that nothing will draw the part onto the body.
 std::vector<std::string> loose_warnings(const std::vector<LoosePart>& parts, bool sewn);
 

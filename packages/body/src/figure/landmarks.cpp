@@ -1,8 +1,11 @@
 #include "toile/body/landmarks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "figure/scan.hpp"
+#include "figure/stance.hpp"
+#include "toile/base/error.hpp"
 
 namespace toile::body {
 namespace {
@@ -23,14 +26,13 @@ void add_middles(const Finder& finder) {
   }
 }
 
-}  // namespace
-
-Landmarks find_landmarks(const TriangleMesh& mesh) {
-  const FigureScan scan(mesh);
+/// On a body that looks straight ahead.
+Landmarks search(const TriangleMesh& mesh, const FigureScan& scan) {
   Landmarks all;
   all.found.reserve(landmark_names().size());  // the search holds on to what it found
   const Finder finder{scan, &all};
   find_crotch_and_armpits(finder);
+  if (all.found.empty()) check_upright(mesh, scan);
   find_neck(finder);
   find_legs(finder);
   find_trunk(finder);
@@ -45,6 +47,30 @@ Landmarks find_landmarks(const TriangleMesh& mesh) {
   std::sort(all.missing.begin(), all.missing.end(),
             [&place](const MissingLandmark& a, const MissingLandmark& b) { return place(a.name) < place(b.name); });
   return all;
+}
+
+}  // namespace
+
+Landmarks find_landmarks(const TriangleMesh& mesh) {
+  constexpr double straight = 1e-3;  // radians: less moves no landmark by 1 mm
+  const FigureScan as_given(mesh);
+  const double angle = heading(as_given);
+  if (std::abs(angle) < straight) return search(mesh, as_given);
+  const TriangleMesh straightened = turned_about_z(mesh, -angle);
+  Landmarks all = search(straightened, FigureScan(straightened));
+  for (Landmark& landmark : all.found) {
+    landmark.point = turned_about_z(landmark.point, angle);
+    landmark.normal = turned_about_z(landmark.normal, angle);
+  }
+  return all;
+}
+
+Landmarks find_landmarks(const TriangleMesh& mesh, const std::string& file) {
+  try {
+    return find_landmarks(mesh);
+  } catch (const base::InputError& error) {
+    throw base::InputError(file + ": " + error.what());
+  }
 }
 
 }  // namespace toile::body

@@ -12,25 +12,30 @@ namespace toile::solve {
 
 namespace {
 
-/// What rounded positions leave of a balance, [unknown] N (of rotations N mm): the forces that 1e-12 mm at its node
-/// make, by the tangent's values. A node of stiff fabric leaves much of it, and must not make that of soft fabric count
-/// for nothing. The stiffest direction counts in all three: the garment turns.
+constexpr double rounded_position = 1e-12;  // mm
+
+/// Membranes that nothing loads are at rest where no force would move its node further, mm: their relative residual is
+/// then of round-off alone, and a slack membrane has no shape of its own to settle it.
+constexpr double resting_distance = 1e-7;
+
+/// What rounded positions leave of a balance, [unknown] N (of rotations N mm): the forces that they make at their node,
+/// by the tangent's values. A node of stiff fabric leaves much of it, and must not make that of soft fabric count for
+/// nothing. The stiffest direction counts in all three: the garment turns.
 std::vector<double> round_off(const Layout& layout, const Diagonal& diagonal, const Measures& measures,
                               const double* values) {
-  constexpr double rounded = 1e-12;  // mm
   std::vector<double> left(layout.maps.dof->getNodeNumElements(), 0.0);
   for (size_t c = 0; c < diagonal.positions.size(); ++c) {
     double stiffest = 0.0;
     for (size_t d = 0; d < 3; ++d)
       if (layout.dof[c][d] >= 0) stiffest = std::max(stiffest, std::abs(values[diagonal.positions[c][d][d]]));
     for (const LocalId dof : layout.dof[c])
-      if (dof >= 0) left[static_cast<size_t>(dof)] = rounded * stiffest;
+      if (dof >= 0) left[static_cast<size_t>(dof)] = rounded_position * stiffest;
   }
   for (size_t n = 0; n < diagonal.rotations.size(); ++n)
     for (size_t k = 0; k < 2; ++k)
       if (diagonal.rotations[n][k] >= 0)
         left[static_cast<size_t>(layout.rotation[n][k])] =
-            rounded / std::sqrt(measures.mass) * std::abs(values[diagonal.rotations[n][k]]);
+            rounded_position / std::sqrt(measures.mass) * std::abs(values[diagonal.rotations[n][k]]);
   return left;
 }
 
@@ -140,6 +145,7 @@ Evaluation Equilibrium::residual(const Vector& z, double s, Vector& f) {
 }
 
 Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const {
+  double farthest = 0.0;  // of what the forces that meet in a node would move it, over the round-off of positions
   // Squares of the residual and of its scale, gaps that are not a number; what the elements tell.
   double mine[5] = {0.0, 0.0, 0.0, forces.strain_energy, static_cast<double>(forces.extrapolated)};
   const auto data = f.getData();
@@ -152,6 +158,7 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
       const double left = beyond(data[layout_.dof[c][d]], round_off_[dof]);
       mine[0] += left * left;
       mine[1] += scale * scale;
+      if (scale > 0.0) farthest = std::max(farthest, scale / round_off_[dof]);
     }
   }
   // A moment counts as the pair of forces that it is over the distance of two nodes.
@@ -172,15 +179,18 @@ Evaluation Equilibrium::evaluation(const Forces& forces, const Vector& f) const 
     if (std::isnan(violation)) mine[2] += 1.0;  // a maximum over ranks would lose it
     gap = std::max(gap, std::abs(violation));
   }
-  double sums[5], largest = 0.0;
+  const double my_largest[2] = {gap, farthest};
+  double sums[5], largest[2];
   Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, 5, mine, sums);
-  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, gap, Teuchos::outArg(largest));
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_MAX, 2, my_largest, largest);
   Evaluation all;
   all.strain_energy = sums[3];
   all.extrapolated = static_cast<int>(sums[4]);
-  all.imbalance.force = std::sqrt(sums[0]);
+  const bool free_membranes = !layout_.has_shells() && problem_.loads.empty() && problem_.pressures.empty();
+  const bool rests = free_membranes && largest[1] * rounded_position <= resting_distance;
+  all.imbalance.force = rests && std::isfinite(sums[0]) ? 0.0 : std::sqrt(sums[0]);
   all.imbalance.force_scale = std::sqrt(sums[1]);
-  all.imbalance.gap = sums[2] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest;
+  all.imbalance.gap = sums[2] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest[0];
   return all;
 }
 
@@ -358,9 +368,9 @@ ForceBalance Equilibrium::balance(const Vector& z, double s) {
   TermForces terms{forces_of_fabric(at), forces_of(dead_load_ ? &*dead_load_ : nullptr, at), forces_of(&*damper_, at),
                    forces_of(contact_ ? &*contact_ : nullptr, at), dead_load_ ? dead_load_->moments() : 0.0};
   if (pressure_load_) pressure_load_->add(at, terms.load, nullptr);
-  // What 1e-4 mm at every node would take is the least that counts: at rest there are only forces of rounded positions.
-  constexpr double resting = 1e-4;
-  return balance_of(problem_, layout_, kinematics_, at, terms, std::sqrt(measures_.mass), resting * measures_.norm);
+  // At rest there are only forces of round-off: they are a millionth of the least that counts.
+  constexpr double least = 1e6 * resting_distance;
+  return balance_of(problem_, layout_, kinematics_, at, terms, std::sqrt(measures_.mass), least * measures_.norm);
 }
 
 }  // namespace toile::solve

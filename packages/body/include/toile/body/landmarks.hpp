@@ -41,11 +41,14 @@ const base::Texts& landmark_names();
 
 /// Landmarks of a standing body, z up, front towards -y, its left at greater x, in mm; from its sections alone. Arms
 /// may hang, stand off or be held level, as long as they and the legs are apart from the trunk below the armpits and
-/// the crotch. Parts may be missing: what cannot be found is told. Throws InputError if the feet point elsewhere.
+/// the crotch. Parts may be missing: what cannot be found is told. A body that looks up to 45 degrees aside is turned for
+/// the search by the long axis of its trunk. Throws InputError if it looks elsewhere, lies or stands on its head.
 ///
 /// Levels (waist, hip, ...) have a tape girth in a horizontal section; of upper arm, elbow and wrist it lies across the
 /// arm. Heights are found within half a per cent of the body's height.
 Landmarks find_landmarks(const TriangleMesh& mesh);
+/// The same; messages name the file from which the body comes.
+Landmarks find_landmarks(const TriangleMesh& mesh, const std::string& file);
 
 /// Those of the body that a validated list "Body" describes; all of it, whatever its list "Reach" says. Throws
 /// InputError if it is none from a file, or cannot be read.

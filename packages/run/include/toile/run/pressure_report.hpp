@@ -31,7 +31,8 @@ struct PointPressure {
   std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric is there
 };
 
-PointPressure pressure_at(const solve::Fields& fields, int node);
+/// At a node. One that is free beside nodes that press has their largest pressure as its error.
+PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node);
 
 /// [body point of the scene]
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const solve::Fields& fields,

@@ -16,6 +16,7 @@
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
 #include "toile/scene/compression_class.hpp"
+#include "toile/scene/tester.hpp"
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
 
@@ -71,6 +72,7 @@ struct Output {
   bool crossings = true;                    ///< of fabric with fabric are looked for
   std::vector<Level> levels;
   std::vector<BodyPoint> body_points;
+  std::vector<Tester> testers;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;
@@ -122,7 +124,8 @@ class Scene {
  private:
   std::vector<drape::Held> held_while_draped(const base::List& scene) const;
   void drape_garment(const base::List& scene, const base::List& list);
-  void build_laws(const base::List& list, const material::Laws& laws);
+  void read_materials(const base::List& list, const material::Laws& laws);
+  void build_models(const base::List& list);
   void build_problem(const base::List& list, int ranks);
   bool all_shells(const std::vector<int>& nodes) const;
   void check_shells_of_moments(const base::List& loads) const;
