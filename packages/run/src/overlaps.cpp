@@ -108,8 +108,8 @@ std::string untold(const FabricOnBody& fabric, int a, int b) {
   const std::string first = fabric.name(a), second = fabric.name(b);
   return "panels " + first + " and " + second + " lie over each other on " + rounded_percent(most) + " of " +
          (of_a > of_b ? first : second) +
-         ", and both press as if they lay on the body itself: too little, the more so the thicker they are. Let the "
-         "outer one name the other in its \"over\": " +
+         ", and both lie on the body itself: the outer one presses too little, the more so the thicker the inner one "
+         "is. Let the outer one name the inner one in its \"over\": " +
          second + " names " + first + ", or " + first + " names " + second;
 }
 
