@@ -80,7 +80,8 @@ Spec contact_spec() {
               {"inner face", "mid-surface"}, std::string("inner face"))
       .choice("pressure area",
               "Current area that the written pressure (and the field area) refers to: of the mid-surface, or of the "
-              "inner face, half the current thickness nearer to the body.",
+              "inner face, half the current thickness nearer to the body; of panels that lie over others, of the body "
+              "below them.",
               {"mid-surface", "inner face"}, std::string("mid-surface"))
       .real("relative stiffness", "",
             "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result.", 1.0,
