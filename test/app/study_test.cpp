@@ -89,7 +89,7 @@ TEST_F(StudyCommand, AFigureIsTold) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("1 cases: 1 right"));
   EXPECT_GT(column("study.csv", "iterations").at(0), 0.0);
-  EXPECT_LT(column("study.csv", "error").at(0), 1.0);  // %
+  EXPECT_LT(column("study.csv", "error").at(0), 2.0);  // %
 }
 
 // Without an exact value the error is that against the extrapolated one.
