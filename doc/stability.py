@@ -17,6 +17,7 @@ HEAD = """# Stability matrix
 
 Made by `doc/stability.py` from `input/stability.xml`; see [study](study.md) for the verdicts. A cell is right if its error is at
 most its own error bar and 2 % together. Of a pressure the bar is the one that the run tells; a force has none.
+The condition number is that of the last tangent in its unknowns (mm, radians), on the surface in contact.
 
 """
 VERDICTS = ["right", "warned", "refused", "wrong", "crashed", "endless"]
@@ -37,9 +38,12 @@ def part(folder):
         for row in rows:
             counts.setdefault(row[axis], collections.Counter())[row["verdict"]] += 1
         if len(counts) > 1:
-            text += f"\n| {axis} | " + " | ".join(VERDICTS) + " |\n|---|" + "---|" * len(VERDICTS) + "\n"
+            text += f"\n| {axis} | " + " | ".join(VERDICTS) + " | largest condition number |\n|---|" + "---|" * len(VERDICTS)
+            text += "---|\n"
             for value, count in counts.items():
-                text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in VERDICTS) + " |\n"
+                conditions = [float(row["condition number"]) for row in rows if row[axis] == value and row["condition number"]]
+                text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in VERDICTS)
+                text += f" | {max(conditions):.0e} |\n" if conditions else " | |\n"
     reasons = collections.Counter((row["verdict"], reason_of(row["reason"])) for row in rows if row["verdict"] != "right")
     if reasons:
         text += "\n| cells | verdict | reason |\n|---|---|---|\n"

@@ -29,6 +29,9 @@ section() {  # title, text, test and its arguments
   section "Pressure where more happens" \
     "Free meshes of 4 mm: lift-off at a waist, wrinkles, a body of unstructured triangles of 5 mm, shells on their inner face, two fabrics side by side." \
     contact_variety_test
+  section "Layers" \
+    "Tubes, one over the other, on a cylinder (input/benchmarks/layers.xml): pressure of each of four and their sum against sum T_i/(R + (i - 1/2) t) with the present thickness, in brackets; two to four on free meshes of 4 mm and thick ones, at a level and at a place of the body, with the error that is told there; per area of the skin, sum T_i/R; and what four would press if all lay on the skin." \
+    layers_test
   section "The shipped leg" \
     "Mean pressure at the hosiery levels over three meshes, of which the last is the shipped one (in brackets what pressure_error says), against a spectral solution that was computed without Toile (test/data/contact/leg_reference.py)." \
     leg_reference_test

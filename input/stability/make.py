@@ -125,7 +125,7 @@ def study(name, title, scene, changes, quantities, limit=120):
     text += f'  {parameter("tolerance", "double", 2)}\n  {parameter("targets", "Array(double)", "{}")}\n'
     text += '  <ParameterList name="Vary">\n' + "".join(changes) + "  </ParameterList>\n"
     text += '  <ParameterList name="Quantities">\n'
-    for key, kind, of, more in quantities:
+    for key, kind, of, more in quantities + [("condition number", "figure", "condition number", [])]:
         text += f'    <ParameterList name="{key}">\n      {parameter("type", "string", kind)}\n'
         text += f'      {parameter("of", "string", of)}\n'
         for line in more:
@@ -180,14 +180,19 @@ def lengths(all_fabrics):
 def strips():
     """Elements of any shape, in one step to many, against an independent solution."""
     meshes = {"square": (30, 10), "1 to 20": (150, 3), "20 to 1": (12, 80), "90 to 1": (8, 240)}
-    study("strips-matrix", "Shapes of elements and sizes of steps", "../benchmarks/strip.xml", [
+    force = [("force", "reaction", "right", [parameter("component", "string", "x"),
+                                             parameter("reference", "Array(double)", "{0.8221763, 2.2156}")])]
+    study("strips-matrix", "Shapes of elements and sizes of steps", "strip.xml", [
         change("fabric", ["Materials/fabric/type"], ["rebar", "itskov"], problem=True),
         change("elements", ["Panels/sheet/elements"], ["quadrilateral", "triangle"]),
         change("mesh", ["Panels/sheet/elements across"], [m[0] for m in meshes.values()], list(meshes)),
         change("rows", ["Panels/sheet/elements along"], [m[1] for m in meshes.values()], with_="mesh"),
-        change("first step", ["Stages/pull/first step"], [1, 0.05])],
-          [("force", "reaction", "right", [parameter("component", "string", "x"),
-                                           parameter("reference", "Array(double)", "{0.8221763, 2.2156}")])])
+        change("first step", ["Stages/pull/first step"], [1, 0.05])], force)
+    study("free-matrix", "Free meshes, whose elements have every shape", "free-strip.xml", [
+        change("fabric", ["Materials/fabric/type"], ["rebar", "itskov"], problem=True),
+        change("elements", ["Panels/sheet/elements"], ["quadrilateral", "triangle"]),
+        change("size", ["Panels/sheet/element size"], [12, 7, 4, 2]),
+        change("first step", ["Stages/pull/first step"], [1, 0.05])], force)
 
 
 def column(path, sections):

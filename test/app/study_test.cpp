@@ -56,11 +56,12 @@ const std::string sizes = "<Parameter name=\"sizes\" type=\"Array(double)\" valu
 const std::string tolerance = "<Parameter name=\"tolerance\" type=\"double\" value=\"2\"/>";
 const std::string around = "Panels/tube/elements across";
 
+/// Of a tube of neo-Hookean fabric, C10 = 0.02 MPa and 1 mm thick, stretched to 1.2 round 60 mm, kPa.
+const double exact = 1e3 * 2 * 0.02 * (1.2 * 1.2 - 1 / 1.2) / (60.0 * std::sqrt(1.2));
+
 // Three meshes of a tube converge with second order to the exact pressure; the coarsest one that has the wanted error
 // is the cheapest in unknowns; table and plots are written.
 TEST_F(StudyCommand, ComparesMeshesWithTheExactPressure) {
-  const double stretch = 1.2, radius = 60.0;
-  const double exact = 1e3 * 2 * 0.02 * (stretch * stretch - 1 / stretch) / (radius * std::sqrt(stretch));
   write_study(change("around", around, "12, 24, 48", sizes), reference(exact), refine + tolerance);
   const Outcome run = toile("study tubes.xml");
   EXPECT_EQ(run.status, 0) << run.err;
@@ -73,6 +74,22 @@ TEST_F(StudyCommand, ComparesMeshesWithTheExactPressure) {
   EXPECT_NEAR(column("limits.csv", "value").at(0), exact, 1e-4 * exact);
   for (const char* file : {"error-time.png", "error-unknowns.svg", "report.txt", "cheapest.csv"})
     EXPECT_TRUE(exists(std::string("results/tubes/") + file)) << file;
+}
+
+// A figure that nothing is known to compare with is told beside the others, and neither has an error nor takes part in
+// the verdict.
+TEST_F(StudyCommand, AFigureIsTold) {
+  write_study(change("around", around, "24"),
+              reference(exact) +
+                  "</ParameterList><ParameterList name=\"iterations\"><Parameter name=\"type\" "
+                  "type=\"string\" value=\"figure\"/><Parameter name=\"of\" type=\"string\" "
+                  "value=\"Newton iterations\"/>",
+              tolerance);
+  const Outcome run = toile("study tubes.xml");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("1 cases: 1 right"));
+  EXPECT_GT(column("study.csv", "iterations").at(0), 0.0);
+  EXPECT_LT(column("study.csv", "error").at(0), 2.0);  // %
 }
 
 // Without an exact value the error is that against the extrapolated one.

@@ -26,7 +26,7 @@ struct Sleeve {
   mesh::Mesh mesh = tube(sleeve_radius, 50.0, 100.0, 72, 20);
   body::TriangleMesh body = revolution(cylinder, 0.0, 200.0, 60, 41);
   std::vector<double> pressure;
-  std::vector<double> gap = std::vector<double>(mesh.placed.size(), 0.0);
+  std::vector<double> distance = std::vector<double>(mesh.placed.size(), 0.0);
 
   Sleeve() {
     for (const mesh::Vec3& node : mesh.placed) {
@@ -35,7 +35,7 @@ struct Sleeve {
   }
   static double pressure_at(double z) { return 1.0 + 0.01 * z; }
   std::vector<double> map() const {
-    GarmentOnBody garment{&mesh, mesh.placed, tied_by_place(mesh), gap, {}};
+    GarmentOnBody garment{&mesh, mesh.placed, tied_by_place(mesh), distance, {}};
     for (const mesh::Vec3& node : mesh.placed) {
       garment.normal.push_back(mesh::Vec3(node.x(), node.y(), 0.0).normalized());
     }
@@ -94,14 +94,14 @@ TEST(BodyMap, NeighbouringLimbTakesNone) {
   EXPECT_GT(sleeve.covered(field), 1000);
 }
 
-// A garment that stands off further than the limit is mapped where its gap says so, and not otherwise.
-TEST(BodyMap, LimitGrowsWithTheGap) {
+// A garment that stands off further than the limit is mapped where its distance says so, and not otherwise.
+TEST(BodyMap, LimitGrowsWithTheDistance) {
   Sleeve sleeve;
   for (mesh::Vec3& node : sleeve.mesh.placed) {
     node.head<2>() *= (radius + 8.0) / (radius + offset);
   }
   EXPECT_EQ(sleeve.covered(sleeve.map()), 0);
-  std::fill(sleeve.gap.begin(), sleeve.gap.end(), 8.0);
+  std::fill(sleeve.distance.begin(), sleeve.distance.end(), 8.0);
   expect_under_sleeve(sleeve.body, sleeve.map(), 4.0);
 }
 
@@ -123,7 +123,7 @@ void add_layer(Sleeve& sleeve, double turn) {
     sleeve.mesh.placed.push_back(rotation * sleeve.mesh.placed[n]);
     sleeve.mesh.pattern.push_back(sleeve.mesh.pattern[n]);
     sleeve.pressure.push_back(0.5 * sleeve.pressure[n]);
-    sleeve.gap.push_back(0.0);
+    sleeve.distance.push_back(0.0);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "toile/garment/garment.hpp"
 
 #include "imperfection.hpp"
+#include "layers.hpp"
 #include "placement.hpp"
 #include "toile/garment/panel.hpp"
 
@@ -15,6 +16,7 @@ Garment build_garment(const base::List& panels, const base::List* seams, const b
     add_imperfection(entries[p], all[p].mesh, placed);
     mesh::add_panel(garment.mesh, all[p].name, all[p].mesh, placed, all[p].fabrics);
   }
+  garment.beneath = read_layers(entries);
   for (const mesh::Block& block : garment.mesh.blocks)
     garment.shells.push_back(all[static_cast<std::size_t>(block.panel)].shell);
   if (seams != nullptr) garment.seams = build_seams(*seams, garment.mesh);

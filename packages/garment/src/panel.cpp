@@ -18,6 +18,12 @@ base::Spec panel_spec() {
   spec.word("material", "Name of an entry of the list Materials.")
       .real("wale angle", "deg", "Angle from the pattern's x axis to the fabric's wale direction.", 90.0)
       .choice("elements", "Kind of elements.", {"quadrilateral", "triangle"}, std::string("quadrilateral"))
+      .words("over",
+             "Names of panels that this one lies over: a bandage's second layer, a band on a stocking. It lies on the "
+             "body further out by what is beneath it, each panel as thick as it is at present on the mean, of panels "
+             "beside each other the highest; what presses it goes through those beneath, which do not feel it. Panels "
+             "that name none lie on the body itself.",
+             base::Texts())
       .list(placement_spec())
       .list(imperfection_spec())
       .list(zones_spec())

@@ -12,10 +12,10 @@ int Mesh::elements() const {
   return count;
 }
 
-const MeshedPanel& Mesh::panel_of_node(int node) const {
+int Mesh::panel_index(int node) const {
   const auto after = std::upper_bound(panels.begin(), panels.end(), node,
                                       [](int n, const MeshedPanel& panel) { return n < panel.first; });
-  return *std::prev(after);
+  return static_cast<int>(after - panels.begin()) - 1;
 }
 
 double pattern_area(const Mesh& mesh, const Block& block, std::size_t element) {

@@ -40,12 +40,12 @@ class Finder {
       : options_(options),
         triangles_(triangulate(*garment.mesh, positions(garment))),
         tree_(triangles_.mesh),
-        gap_(at_vertices(*garment.mesh, garment.gap)),
+        distance_(at_vertices(*garment.mesh, garment.distance)),
         normal_(at_vertices(*garment.mesh, garment.normal)) {
     tied_.resize(triangles_.mesh.vertices.size());
     std::iota(tied_.begin(), tied_.end(), 0);
     std::copy(garment.tied.begin(), garment.tied.end(), tied_.begin());
-    reach_ = options.limit + std::max(0.0, *std::max_element(gap_.begin(), gap_.end()));
+    reach_ = options.limit + std::max(0.0, *std::max_element(distance_.begin(), distance_.end()));
     for (const Vec3& vertex : triangles_.mesh.vertices) {
       box_.extend(vertex);
     }
@@ -101,17 +101,17 @@ class Finder {
   }
 
   bool lies_over(const Hit& hit, double distance, const Vec3& normal) const {
-    const double gap = std::max(0.0, interpolate(corners(hit), hit.barycentric, gap_));
+    const double usual = std::max(0.0, interpolate(corners(hit), hit.barycentric, distance_));
     const Vec3 below = interpolate(corners(hit), hit.barycentric, normal_);
-    return distance <= options_.limit + gap && below.dot(normal) >= options_.agreement * below.norm();
+    return distance <= options_.limit + usual && below.dot(normal) >= options_.agreement * below.norm();
   }
 
   BodyMapOptions options_;
   GarmentTriangles triangles_;
   body::TriangleTree tree_;
-  std::vector<double> gap_;   ///< [vertex]
-  std::vector<Vec3> normal_;  ///< [vertex]
-  std::vector<int> tied_;     ///< [vertex]
+  std::vector<double> distance_;  ///< [vertex]
+  std::vector<Vec3> normal_;      ///< [vertex]
+  std::vector<int> tied_;         ///< [vertex]
   double reach_ = 0.0;
   Eigen::AlignedBox3d box_;
 };

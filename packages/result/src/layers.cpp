@@ -10,7 +10,7 @@ namespace {
 
 using mesh::Vec3;
 
-constexpr double reach = 5.0;       // mm between two layers, as far as garment and body in BodyMapOptions
+constexpr double reach = 5.0;       // mm from one layer to the next, as far as garment and body in BodyMapOptions
 constexpr double parallel = 0.7;    // cosine between their tangents
 constexpr double most_of_it = 0.5;  // of the shorter one's length
 
@@ -20,9 +20,9 @@ struct Beside {
   double share = 0.0;                ///< from the first to the second end
 };
 
-Beside beside(const Section& section, const Vec3& point, const Vec3& tangent) {
+Beside beside(const Section& section, const Vec3& point, const Vec3& tangent, double limit) {
   Beside best;
-  double nearest = reach;
+  double nearest = limit;
   for (const Segment& segment : section.segments) {
     const double length = segment.length();
     if (!(length > 0.0) || std::abs(segment.step().dot(tangent)) < parallel * length) continue;
@@ -41,7 +41,8 @@ bool lies_over(const Section& one, const Section& other) {
   const Section& longer = is_shorter ? other : one;
   double covered = 0.0;
   for (const Segment& segment : shorter.segments)
-    if (beside(longer, segment.middle(), segment.step().normalized()).segment != nullptr) covered += segment.length();
+    if (beside(longer, segment.middle(), segment.step().normalized(), reach).segment != nullptr)
+      covered += segment.length();
   return covered > most_of_it * shorter.girth();
 }
 
@@ -68,6 +69,7 @@ Section sum_of(const std::vector<const Section*>& layers) {
   const auto longest = std::max_element(layers.begin(), layers.end(), [](const Section* a, const Section* b) {
     return std::make_pair(a->closed, a->girth()) < std::make_pair(b->closed, b->girth());
   });
+  const double reach_of_all = reach * static_cast<double>(layers.size() - 1);
   Section sum = **longest;
   for (const Section* layer : layers) {
     if (layer == *longest) continue;
@@ -77,13 +79,13 @@ Section sum_of(const std::vector<const Section*>& layers) {
         return (1.0 - share) * ends[0] + share * ends[1];
       };
       for (std::size_t k = 0; k < 2; ++k) {
-        const Beside there = beside(*layer, segment.point[k], tangent);
+        const Beside there = beside(*layer, segment.point[k], tangent, reach_of_all);
         if (there.segment == nullptr) continue;
         segment.pressure[k] += at(there.segment->pressure, there.share);
         for (std::size_t part = 0; part < segment.errors[k].size(); ++part)
           segment.errors[k][part] += at({there.segment->errors[0][part], there.segment->errors[1][part]}, there.share);
       }
-      const Beside there = beside(*layer, segment.middle(), tangent);
+      const Beside there = beside(*layer, segment.middle(), tangent, reach_of_all);
       if (there.segment == nullptr) continue;
       segment.tension += there.segment->tension;
       segment.missed += there.segment->missed;

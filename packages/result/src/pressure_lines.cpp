@@ -68,9 +68,11 @@ LevelRow sum_row(const std::vector<Section>& sections, const std::vector<std::si
   for (const std::size_t k : members) of.push_back(&sections[k]);
   LevelRow row = row_of(sum_of(of), garment);
   row.panels.clear();
+  row.laplace = 0.0;  // each layer has a radius of its own
   for (const std::size_t k : members) {
     row.section += (row.section.empty() ? "" : "+") + rows[k].section;
     row.panels += (row.panels.empty() ? "" : " + ") + rows[k].panels;
+    row.laplace += rows[k].laplace;
     row.at_support = row.at_support || rows[k].at_support;
     row.smallest_stress = std::min(row.smallest_stress, rows[k].smallest_stress);
   }

@@ -38,6 +38,7 @@ class FiguresOutput : public TableOutput {
     add("extrapolated elements", f.extrapolated);
     add("relative residual", last.accuracy.residual);
     add("negative pivots", last.negative_pivots);
+    if (last.condition > 0.0) add("condition number", last.condition);
     add("steps", work.steps);
     add("cut-backs", work.cut_backs);
     add("Newton iterations", work.newton_iterations);

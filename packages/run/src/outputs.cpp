@@ -30,6 +30,7 @@ namespace toile::run {
   OUTPUT(crossed_planes)      \
   OUTPUT(crossing_warnings)   \
   OUTPUT(crossings)           \
+  OUTPUT(overlaps)            \
   OUTPUT(slides)              \
   OUTPUT(figures)             \
   OUTPUT(summary)             \

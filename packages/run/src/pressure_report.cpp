@@ -94,6 +94,13 @@ std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepRepo
   return tied;
 }
 
+result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields,
+                              const solve::StepReport& report) {
+  std::vector<double> distance = fields.gap;
+  for (size_t n = 0; n < distance.size(); ++n) distance[n] += fields.offset[n];
+  return {problem.mesh, fields.position, tied_nodes(problem, report), distance, fields.normal};
+}
+
 std::vector<bool> elements_at_supports(const scene::Scene& scene) {
   const solve::Problem& problem = scene.problem();
   std::vector<bool> held(static_cast<size_t>(problem.mesh->nodes()), false), at_support;
@@ -137,9 +144,7 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
     normals.push_back(point.normal);
   }
   if (places.empty()) return {};
-  const result::BodyMap map(
-      {scene.problem().mesh, fields.position, tied_nodes(scene.problem(), report), fields.gap, fields.normal}, places,
-      normals);
+  const result::BodyMap map(on_body(scene.problem(), fields, report), places, normals);
   const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
                             layers = map.map(std::vector<double>(fields.position.size(), 1.0));
   std::vector<std::vector<double>> parts;

@@ -104,6 +104,7 @@ std::string text_of(const Record& record, const base::Timer& timer) {
     out << "  of it in hourglass modes of reduced shells: "
         << 100.0 * report.energy.stabilisation / report.energy.strain << " %\n";
   out << "  equilibrium: relative residual " << report.accuracy.residual << ", " << stability(report.negative_pivots);
+  if (report.condition > 0.0) out << ", condition number " << report.condition;
   if (report.accuracy.kept > 0.0) out << "; the residual stiffness of slack fabric carries " << report.accuracy.kept;
   out << "\n";
   out << "  work: " << statistics.steps << " steps, " << statistics.cut_backs << " cut-backs, "

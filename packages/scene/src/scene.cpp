@@ -204,6 +204,11 @@ void Scene::build_problem(const base::List& list, int ranks) {
   problem_.clusters = garment_.clusters.members;
   problem_.seam = garment::seam_names(garment_.clusters, garment_.seams);
   problem_.surface = surface_.get();
+  problem_.beneath = garment_.beneath;
+  if (surface_ == nullptr)
+    for (const base::List& panel : list.list("Panels").entries())
+      if (!panel.words("over").empty())
+        panel.fail("over", "is for panels on a body, and the scene has no list \"Body\"");
   const auto supports = optional_list(list, "Supports");
   if (supports) {
     problem_.supports = solve::read_supports(*supports, problem_);

@@ -126,27 +126,41 @@ class Evaluator {
     return best;
   }
 
+  /// A figure that nothing is known to compare with is told, and neither has an error nor decides a verdict.
+  bool is_only_told(const Measured& m, std::size_t q) const {
+    return study_.quantities[q].type == "figure" && std::isnan(m.reference);
+  }
+
   void compare() {
     for (Row& row : e_.rows) {
       row.error = row.bound = 0.0;
+      bool compared = false;
       for (std::size_t q = 0; q < row.measured.size(); ++q) {
         Measured& m = row.measured[q];
         if (std::isnan(m.reference)) {
           const Extrapolation* limit = best_limit(row.problem, q);
           if (limit != nullptr) m.reference = limit->value, m.uncertain = limit->uncertainty;
         }
+        if (is_only_told(m, q)) continue;
+        compared = true;
         m.error = std::abs(m.value - m.reference) / std::abs(m.reference);
         const double bound = m.error + m.uncertain / std::abs(m.reference);
         row.error = std::isnan(m.error) || std::isnan(row.error) ? not_a_number : std::max(row.error, m.error);
         row.bound = std::isnan(bound) ? infinite : std::max(row.bound, bound);
       }
+      if (compared) continue;
+      row.error = not_a_number;
+      row.bound = infinite;
     }
   }
 
   void judge(Row& row, const Outcome& outcome) const {
     if (!has_result(row)) return;
-    bool right = true, known = std::isfinite(study_.tolerance);
-    for (const Measured& m : row.measured) {
+    bool right = true, compared = false, known = std::isfinite(study_.tolerance);
+    for (std::size_t q = 0; q < row.measured.size(); ++q) {
+      const Measured& m = row.measured[q];
+      if (is_only_told(m, q)) continue;
+      compared = true;
       if (std::isnan(m.value)) {
         right = false;
         row.reason = row.reason.empty() ? "a quantity is not a number" : row.reason;
@@ -159,7 +173,7 @@ class Evaluator {
       }
     }
     if (right)
-      row.verdict = known ? Verdict::right : Verdict::ran;
+      row.verdict = known && compared ? Verdict::right : Verdict::ran;
     else
       row.verdict = outcome.warnings.empty() ? Verdict::wrong : Verdict::warned;
   }

@@ -287,21 +287,45 @@ double Equilibrium::dissipation(const Vector& z, double s) const {
   return sum(damper_->dissipation(kinematics_.at(z, s)));
 }
 
-// [owned cluster] Half the present thickness.
+// [panel] Height over the body at which it lies, mm: that of the highest panel beneath it, and the present mean
+// thickness of that one. Panels that lie beside each other are no layers.
+std::vector<double> Equilibrium::heights(const std::vector<double>& thickness) const {
+  const size_t panels = problem_.mesh->panels.size();
+  std::vector<double> mine(2 * panels, 0.0), all(2 * panels), height(panels, 0.0);
+  if (problem_.beneath.empty()) return height;
+  for (size_t n = 0; n < layout_.nodes.size(); ++n) {
+    if (layout_.node_cluster[n] >= layout_.owned_clusters) continue;
+    const int panel = problem_.mesh->panel_index(layout_.nodes[n]);
+    mine[panel] += thickness[n];
+    mine[panels + panel] += 1.0;
+  }
+  Teuchos::reduceAll(*layout_.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  for (bool higher = true; higher;) {
+    const std::vector<double> before = height;
+    for (size_t p = 0; p < panels; ++p)
+      for (const int other : problem_.beneath[p])
+        height[p] = std::max(height[p], height[other] + all[other] / all[panels + other]);
+    higher = height != before;
+  }
+  return height;
+}
+
+// [owned cluster] Half the present thickness, and the height at which the panel lies.
 std::vector<double> Equilibrium::wanted_offsets(const Configuration& at) {
-  const std::vector<double> thickness = strain_.nodal_thickness(at);
+  const std::vector<double> thickness = strain_.nodal_thickness(at), height = heights(thickness);
+  const double own = problem_.contact.offset_by_half_thickness ? 0.5 : 0.0;
   std::vector<double> sum_of(layout_.clusters.size(), 0.0), count(layout_.clusters.size(), 0.0);
   for (size_t n = 0; n < layout_.nodes.size(); ++n) {
-    sum_of[layout_.node_cluster[n]] += thickness[n];
+    sum_of[layout_.node_cluster[n]] += own * thickness[n] + height[problem_.mesh->panel_index(layout_.nodes[n])];
     count[layout_.node_cluster[n]] += 1.0;
   }
   std::vector<double> wanted;
-  for (int c = 0; c < layout_.owned_clusters; ++c) wanted.push_back(0.5 * sum_of[c] / count[c]);
+  for (int c = 0; c < layout_.owned_clusters; ++c) wanted.push_back(sum_of[c] / count[c]);
   return wanted;
 }
 
 double Equilibrium::update_thickness(const Vector& z, double s, double tolerance) {
-  const bool offsets = contact_ && problem_.contact.offset_by_half_thickness;
+  const bool offsets = contact_ && (problem_.contact.offset_by_half_thickness || !problem_.beneath.empty());
   if (!offsets && !layout_.has_shells()) return 0.0;
   const Configuration at = kinematics_.at(z, s);
   std::vector<double> wanted;

@@ -95,7 +95,7 @@ class Equilibrium {
   void set_damping(double coefficient) { damper_->set_coefficient(coefficient); }
   double damping() const { return damper_->coefficient(); }
   void set_first_step(double ds) { damper_->set_first_step(ds); }
-  /// Sets the contact offsets to half the present thickness, and the thickness of shells, unless none would change by
+  /// Sets the contact offsets to the present thickness, and the thickness of shells, unless none would change by
   /// more than `tolerance` (mm). Returns the largest change, 0 if they were left.
   double update_thickness(const Vector& z, double s, double tolerance);
   std::vector<double> offsets() const { return contact_ ? contact_->offsets() : std::vector<double>(); }
@@ -120,6 +120,7 @@ class Equilibrium {
   Evaluation evaluation(const Forces& forces, const Vector& f) const;
   void find_measures();
   void adopt_thickness(const Configuration& at);
+  std::vector<double> heights(const std::vector<double>& thickness) const;
   std::vector<double> wanted_offsets(const Configuration& at);
   void add_contact(EquilibriumMemory& memory) const;
   double least_pressing_force(const Forces& forces) const;

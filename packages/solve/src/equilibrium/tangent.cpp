@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "linear/inverse_iterations.hpp"
+
 namespace toile::solve {
 
 Measures measure(const Layout& layout, const Diagonal& diagonal, const std::vector<double>& mass, size_t clusters,
@@ -50,7 +52,8 @@ Tangent::Tangent(const Layout& layout, const RCP<const Graph>& graph, const Diag
       mass_(mass),
       matrix_(rcp(new Matrix(graph))),
       projected_(contact != nullptr ? rcp(new Matrix(graph)) : matrix_),
-      linear_(make_linear_solver(projected_, options, std::move(linear))) {
+      linear_(make_linear_solver(projected_, options, std::move(linear))),
+      condition_is_wanted_(options.condition) {
   matrix_->fillComplete(layout.maps.dof, layout.maps.dof);
   if (contact != nullptr) projected_->fillComplete(layout.maps.dof, layout.maps.dof);
 }
@@ -138,6 +141,24 @@ bool Tangent::solve(const Vector& b, Vector& dz) {
     if (contact_->active(c)) step[first + i] += contact_->component(force, c) / contact_->free_part(c);
   }
   return true;
+}
+
+double Tangent::condition() {
+  const auto apply = [this](const Vector& x, Vector& y) {
+    projected_->apply(x, y);
+    return true;
+  };
+  if (!condition_is_wanted_) return 0.0;
+  const RCP<Vector> soft = linear_->softest();
+  const RCP<Vector> stiff = inverse_iterations(layout_.maps.dof, apply);  // of the inverse's inverse
+  if (soft.is_null() || stiff.is_null()) return 0.0;
+  const auto eigenvalue = [&apply](const Vector& x) {
+    Vector y(x.getMap());
+    apply(x, y);
+    return std::abs(x.dot(y)) / x.dot(x);
+  };
+  const double smallest = eigenvalue(*soft);
+  return smallest > 0.0 ? eigenvalue(*stiff) / smallest : 0.0;
 }
 
 double Tangent::stiffness_along(const Vector& x) const {

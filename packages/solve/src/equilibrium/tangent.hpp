@@ -53,6 +53,10 @@ class Tangent {
   /// The direction of the unknowns without multipliers in which the last one resists least, also where it had to be
   /// shifted; null: the linear solver does not find it. |x| = 1. Collective.
   RCP<Vector> softest() { return linear_->softest(); }
+  /// Condition number of the last one in its unknowns (N, mm, radians), where it was not shifted: the largest over the
+  /// smallest magnitude of its eigenvalues, each within a few per cent. 0: the options do not ask for it, or
+  /// it is not known. Collective.
+  double condition();
   /// x.Kx / x.x of the last one before any shift, N/mm. Collective.
   double stiffness_along(const Vector& x) const;
 
@@ -85,6 +89,7 @@ class Tangent {
   double augmentation_ = 0.0;
   int unshifted_pivots_ = -1;
   double last_shift_ = 0.0;
+  bool condition_is_wanted_ = false;
   bool want_fresh_ = true, seek_minimum_ = true;
 };
 

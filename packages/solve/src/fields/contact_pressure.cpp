@@ -232,6 +232,7 @@ void add_contact_pressure(const Problem& problem, const State& state, const Accu
   for (int n = 0; n < problem.mesh->nodes(); ++n) {
     const contact::ContactCluster& at = collector.at(n);
     out.gap[n] = at.surface.gap - at.offset;
+    out.offset[n] = at.offset;
     out.normal[n] = at.surface.normal;
     if (collector.site_of(n) < 0) continue;
     const contact::SitePressure& site = recovery.site[static_cast<size_t>(collector.site_of(n))];

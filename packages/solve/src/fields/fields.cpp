@@ -81,6 +81,7 @@ Fields compute_fields(const Problem& problem, const State& state, const Accuracy
   out.body_change.assign(nodes, 0.0);
   out.contact_force.assign(nodes, 0.0);
   out.gap.assign(nodes, 0.0);
+  out.offset.assign(nodes, 0.0);
   out.normal.assign(nodes, Vec3::Zero());
   out.area.assign(nodes, 0.0);
   out.smallest_principal_stress = std::numeric_limits<double>::infinity();

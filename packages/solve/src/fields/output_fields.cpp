@@ -82,6 +82,8 @@ const GlobalField global_table[] = {
     {"largest_gap", "mm", "of a node in contact", [](const StepReport& r) { return r.accuracy.gap; }},
     {"negative_pivots", "", "of the tangent: 0 stable; -1 not known",
      [](const StepReport& r) { return static_cast<double>(r.negative_pivots); }},
+    {"condition", "", "condition number of the tangent; 0: not asked for, not known",
+     [](const StepReport& r) { return r.condition; }},
     {"critical_point", "",
      "between this step and the one before: 1 a limit point, 2 a bifurcation, 3 one of them or a change of contact "
      "(natural continuation cannot tell), 4 a jump to another branch",

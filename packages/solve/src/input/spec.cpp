@@ -43,6 +43,11 @@ Spec solver_spec() {
       .choice("linear solver", text + ".", names, names.front())
       .real("linear tolerance", "", "Relative residual of the linear iteration.", 1e-10, {0.0, 1.0, true, true})
       .integer("kept iterations", "A kept factorisation that needs more iterations is renewed.", 12, Range::at_least(1))
+      .flag("condition number",
+            "Whether the condition number of the tangent is told (figures.csv, the step table): the largest over the "
+            "smallest magnitude of its eigenvalues, in N, mm and radians, wherever its negative pivots are counted. It "
+            "takes some tens of solutions.",
+            false)
       .real("tolerance", "", "Force residual over the nodal forces that meet in it.", 1e-10, {0.0, 1.0, true, true})
       .real("gap tolerance", "mm", "Largest gap of a node in contact.", 1e-6, Range::positive())
       .integer("most iterations",
@@ -58,6 +63,7 @@ SolverOptions read_solver(const List& list) {
   o.linear.method = list.word("linear solver");
   o.linear.tolerance = list.real("linear tolerance");
   o.linear.kept_iterations = list.integer("kept iterations");
+  o.linear.condition = list.flag("condition number");
   o.newton.tolerance = list.real("tolerance");
   o.newton.gap_tolerance = list.real("gap tolerance");
   o.newton.max_iterations = list.integer("most iterations");
@@ -74,7 +80,8 @@ Spec contact_spec() {
               {"inner face", "mid-surface"}, std::string("inner face"))
       .choice("pressure area",
               "Current area that the written pressure (and the field area) refers to: of the mid-surface, or of the "
-              "inner face, half the current thickness nearer to the body.",
+              "inner face, half the current thickness nearer to the body; of panels that lie over others, of the body "
+              "below them.",
               {"mid-surface", "inner face"}, std::string("mid-surface"))
       .real("relative stiffness", "",
             "Augmentation over the mean diagonal of the tangent; steers the iteration, not the result.", 1.0,

@@ -43,6 +43,7 @@ std::string CriticalPoints::count(Equilibrium& equilibrium, const Vector& z, dou
   equilibrium.set_damping(damping);
   if (damping > 0.0) equilibrium.tangent().renew();  // the one just made is not of the damped tangent
   report.negative_pivots = equilibrium.tangent().unshifted_negative_pivots();
+  if (report.negative_pivots == 0) report.condition = equilibrium.tangent().condition();
   std::ostringstream note;
   if (pivots_ >= 0 && report.negative_pivots >= 0 && report.negative_pivots != pivots_) {
     report.critical = !arc_length                    ? CriticalPoint::unclassified

@@ -242,7 +242,7 @@ template <class Use>
 void each_value(StepReport& r, const Use& use) {
   for (double* value : {&r.parameter, &r.load, &r.seam, &r.accuracy.residual, &r.accuracy.undamped_residual,
                         &r.accuracy.gap, &r.accuracy.kept, &r.energy.strain, &r.energy.stabilisation,
-                        &r.energy.dissipated, &r.energy.dissipation_ratio, &r.seconds})
+                        &r.energy.dissipated, &r.energy.dissipation_ratio, &r.condition, &r.seconds})
     use(*value);
   each_value(r.balance, use);
 }

@@ -19,6 +19,7 @@ struct Garment {
   std::vector<Seam> seams;
   Clusters clusters;
   std::vector<std::optional<ShellOptions>> shells;  ///< [block] none: a membrane
+  std::vector<std::vector<int>> beneath;            ///< as solve::Problem::beneath: panels between one and the body
 };
 
 /// Meshes, places and sews. `seams` may be null (none); `body` may be null if no panel is wrapped round it.

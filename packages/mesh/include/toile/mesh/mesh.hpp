@@ -64,8 +64,8 @@ struct Mesh {
   int elements() const;
   /// The panel of a block.
   const MeshedPanel& panel_of(const Block& block) const { return panels[static_cast<std::size_t>(block.panel)]; }
-  /// The panel that a node belongs to.
-  const MeshedPanel& panel_of_node(int node) const;
+  int panel_index(int node) const;  ///< of the panel that a node belongs to
+  const MeshedPanel& panel_of_node(int node) const { return panels[static_cast<std::size_t>(panel_index(node))]; }
 };
 
 /// Area of an element of a block in the pattern, mm^2.

@@ -8,7 +8,7 @@
 namespace toile::result {
 
 struct BodyMapOptions {
-  double limit = 5.0;      ///< mm; how far from the body the garment may be, in addition to its gap there
+  double limit = 5.0;      ///< mm; how far from the body the garment may be, in addition to its distance there
   double agreement = 0.5;  ///< smallest cosine between the normals of the body here and below the garment
 };
 
@@ -17,7 +17,7 @@ struct GarmentOnBody {
   const mesh::Mesh* mesh = nullptr;
   std::vector<mesh::Vec3> position;  ///< [node] mm
   std::vector<int> tied = {};        ///< [node] as in GarmentFields
-  std::vector<double> gap;           ///< [node] mm between body and garment, without the fabric's offset
+  std::vector<double> distance;      ///< [node] mm from the body to the mid-surface
   std::vector<mesh::Vec3> normal;    ///< [node] of the body at the closest point
 };
 
@@ -25,8 +25,8 @@ struct GarmentOnBody {
 /// where the normal of the vertex meets the garment, added up over the layers that lie over each other there; zero
 /// where no garment lies over the body.
 ///
-/// No garment lies over a vertex if it is further than limit + gap, if it lies on another part of the body (the normals
-/// disagree: the other leg), or if it ends beside the vertex.
+/// No garment lies over a vertex if it is further than limit + distance, if it lies on another part of the body (the
+/// normals disagree: the other leg), or if it ends beside the vertex.
 class BodyMap {
  public:
   BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options = {});

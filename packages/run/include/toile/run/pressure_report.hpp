@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "toile/result/body_map.hpp"
 #include "toile/result/pressure_lines.hpp"
 #include "toile/scene/scene.hpp"
 #include "toile/solve/fields.hpp"
@@ -42,6 +43,10 @@ std::vector<std::string> error_names();
 
 /// [node] the first of the nodes that a closed seam holds together with it.
 std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
+
+/// The garment of a state, for what is carried from it to the body.
+result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields,
+                              const solve::StepReport& report);
 
 /// [element] true where some nodes are held by a support, not in a plane of symmetry, and others are not.
 std::vector<bool> elements_at_supports(const scene::Scene& scene);

@@ -32,9 +32,10 @@ struct Fields {
   std::vector<double> body_change;     ///< [node] MPa: that of the body with its sign, see contact::SitePressure
   std::vector<double> contact_force;   ///< [node] N along `normal`: of the solve; a cluster's is shared out by area
   std::vector<double> gap;             ///< [node] mm, of the fabric's contact surface; 0 without a body
-  std::vector<Vec3> normal;            ///< [node] of the body at the closest point
-  std::vector<double> area;            ///< [node] current area that belongs to the node alone, mm^2
-  crossing::Crossings crossings;       ///< empty if they are not looked for
+  std::vector<double> offset;     ///< [node] mm from there to the mid-surface: see ContactOptions, Problem::beneath
+  std::vector<Vec3> normal;       ///< [node] of the body at the closest point
+  std::vector<double> area;       ///< [node] current area that belongs to the node alone, mm^2
+  crossing::Crossings crossings;  ///< empty if they are not looked for
   /// [block] a value an element; the table is in element_fields.cpp
   std::vector<std::vector<NamedField>> element;
   /// [element] of all blocks: mean over its points of the force per current length in space, symmetric, N/mm

@@ -11,6 +11,7 @@ struct LinearOptions {
   std::string method = "cg";  ///< "cg", "gmres" (Belos) or "direct" (factorisation of every tangent)
   double tolerance = 1e-10;   ///< relative residual
   int kept_iterations = 12;   ///< a kept factorisation that needs more is renewed
+  bool condition = false;     ///< the tangent's condition number is found where its pivots are counted
 };
 
 /// How a step is brought to equilibrium.

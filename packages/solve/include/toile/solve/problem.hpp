@@ -110,6 +110,8 @@ struct Problem {
   std::vector<Support> supports;
   std::vector<NodalLoad> loads;
   std::vector<FollowerPressure> pressures;
+  /// [panel] Panels of the mesh that lie between it and the body; empty altogether: none do.
+  std::vector<std::vector<int>> beneath;
   const body::Surface* surface = nullptr;  ///< null: no contact is built
   ContactOptions contact;
   bool crossings = false;  ///< fabric that passes through fabric is looked for in every state whose fields are computed

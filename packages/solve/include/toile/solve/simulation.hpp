@@ -63,6 +63,7 @@ struct StepReport {
   Accuracy accuracy;
   StepEnergy energy;
   int negative_pivots = -1;  ///< of the tangent at the accepted state; -1: not known
+  double condition = 0.0;    ///< of that tangent: its largest over its smallest eigenvalue; 0: not asked for, not known
   CriticalPoint critical = CriticalPoint::none;
   int extrapolated = 0;   ///< elements outside the calibrated range of their fabric
   bool undamped = false;  ///< this is the final state of its stage, without damping
