@@ -108,7 +108,8 @@ void expect_sum(const Teuchos::ParameterList& scene, double expected, const std:
   const PlaneRun done = run(scene);
   const run::Record& record = done.session->record();
   const result::LevelRow& level = record.pressure().levels.back();
-  const run::PointPressure at = run::body_pressures(*done.scene, record.fields(), record.last()).front();
+  const run::PointPressure at =
+      run::body_pressures(*done.scene, done.scene->output().body_points, record.fields(), record.last()).front();
   print("%s: level %.4f +- %.4f kPa, place %.4f +- %.4f kPa (%.4f), error %+.3f and %+.3f %%\n", title.c_str(),
         1e3 * level.pressure_mean, 1e3 * level.pressure_error, 1e3 * at.pressure, 1e3 * at.error, expected,
         100.0 * (1e3 * level.pressure_mean / expected - 1.0), 100.0 * (1e3 * at.pressure / expected - 1.0));

@@ -41,8 +41,8 @@ const base::Texts& landmark_names();
 
 /// Landmarks of a standing body, z up, front towards -y, its left at greater x, in mm; from its sections alone. Arms
 /// may hang, stand off or be held level, as long as they and the legs are apart from the trunk below the armpits and
-/// the crotch. Parts may be missing: what cannot be found is told. A body that looks up to 45 degrees aside is turned for
-/// the search by the long axis of its trunk. Throws InputError if it looks elsewhere, lies or stands on its head.
+/// the crotch. Parts may be missing: what cannot be found is told. A body that looks up to 45 degrees aside is turned
+/// for the search by the long axis of its trunk. Throws InputError if it looks elsewhere, lies or stands on its head.
 ///
 /// Levels (waist, hip, ...) have a tape girth in a horizontal section; of upper arm, elbow and wrist it lies across the
 /// arm. Heights are found within half a per cent of the body's height.
