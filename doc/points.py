@@ -10,11 +10,17 @@ import os
 import sys
 
 
+def free(row):
+    """How far off it is, and what may press there: fabric beside it does."""
+    error = float(row["its error [kPa]"])
+    return f"free, {float(row['gap [mm]']):.1f} mm off" + (f", +- {error:.2f}" if error > 0.0 else "")
+
+
 def pressures(folder):
     """{point: "kPa +- error"} of a run."""
     with open(os.path.join(folder, "pressure-points.csv"), newline="") as file:
         return {row["point"]: f"{float(row['pressure [kPa]']):.2f} +- {float(row['its error [kPa]']):.2f}"
-                if float(row["pressure [kPa]"]) > 0.0 else f"free, {float(row['gap [mm]']):.1f} mm off"
+                if float(row["pressure [kPa]"]) > 0.0 else free(row)
                 for row in csv.DictReader(file)}
 
 
