@@ -60,12 +60,12 @@ TEST(Plot, ColourAndLegendAreChosen) {
   Plot plot = example();
   write_plot(folder.path().string(), "plain", plot);
   plot.series[1].colour = 7;
-  plot.legend_below = true;
+  plot.legend_above = true;
   write_plot(folder.path().string(), "chosen", plot);
   EXPECT_THAT(read_text(folder.file("plain.gp")),
               AllOf(HasSubstr("set key noenhanced top right"), HasSubstr("linetype 2")));
   EXPECT_THAT(read_text(folder.file("chosen.gp")),
-              AllOf(HasSubstr("set key noenhanced below"), HasSubstr("linetype 7")));
+              AllOf(HasSubstr("set key noenhanced tmargin center horizontal"), HasSubstr("linetype 7")));
 }
 
 // Errors are a band about a line, and bars at markers, whose labels stay.

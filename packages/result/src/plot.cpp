@@ -120,7 +120,7 @@ std::string script_text(const std::string& name, const Plot& plot) {
       << "set title " << quoted(plot.title) << " noenhanced\n"
       << "set xlabel " << quoted(plot.x_label) << " noenhanced\n"
       << "set ylabel " << quoted(plot.y_label) << " noenhanced\n"
-      << "set key noenhanced " << (plot.legend_below ? "below" : "top right") << '\n'
+      << "set key noenhanced " << (plot.legend_above ? "tmargin center horizontal" : "top right") << '\n'
       << "set grid\n"
       << (plot.logarithmic ? "set logscale xy\nset format \"%h\"\n" : "")
       << (plot.y_from_zero ? "set yrange [0:*]\n" : "")

@@ -100,7 +100,7 @@ Plot pressure_plot(const std::string& title, const std::vector<LevelRow>& curve,
   plot.y_label = "contact pressure (kPa)";
   plot.second_axis = SecondAxis{"contact pressure (mmHg)", base::mmhg_per_kpa};
   plot.y_from_zero = true;
-  plot.legend_below = std::any_of(curve.begin(), curve.end(), [](const LevelRow& row) { return !row.section.empty(); });
+  plot.legend_above = std::any_of(curve.begin(), curve.end(), [](const LevelRow& row) { return !row.section.empty(); });
   std::vector<LevelRow> clear = curve;
   for (LevelRow& row : clear) {
     if (row.at_support) row.pressure_mean = std::numeric_limits<double>::quiet_NaN();

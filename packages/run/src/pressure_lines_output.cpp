@@ -44,7 +44,7 @@ class PressureLines : public TableOutput {
     plot.y_label = "pressure (kPa), band: its error";
     plot.second_axis = result::SecondAxis{"pressure (mmHg)", base::mmhg_per_kpa};
     plot.y_from_zero = true;
-    plot.legend_below = true;
+    plot.legend_above = true;
     for (const scene::PressureLine& line : record.scene().output().lines) {
       const auto pressures = body_pressures(record.scene(), line.places, record.fields(), record.last());
       for (size_t s = 0; s < pressures.size(); ++s) {

@@ -232,7 +232,7 @@ result::Plot plot_of(const Study& study, const Evaluation& e, std::size_t proble
   result::Plot plot;
   plot.title = study.title + (e.problems[problem].empty() ? "" : ", " + e.problems[problem]);
   plot.y_label = "error (%)";
-  plot.logarithmic = plot.legend_below = true;
+  plot.logarithmic = plot.legend_above = true;
   const auto add_point = [&](result::Series& series, std::size_t i) {
     if (!(e.rows[i].error > 0.0) || !(abscissa(e.rows[i]) > 0.0)) return;
     series.x.push_back(abscissa(e.rows[i]));

@@ -32,7 +32,7 @@ struct Plot {
   std::optional<SecondAxis> second_axis;
   bool y_from_zero = false;
   bool logarithmic = false;   ///< both axes; what is not positive is left out
-  bool legend_below = false;  ///< under the picture, where it hides nothing
+  bool legend_above = false;  ///< over the picture, where it hides nothing
 };
 
 /// Writes `folder`/`name`.dat (the points) and `folder`/`name`.gp (a script that can be edited and run again in that
