@@ -54,7 +54,7 @@ void fake_gnuplot(const TemporaryFolder& folder, const std::string& commands) {
   std::filesystem::permissions(folder.file("gnuplot"), std::filesystem::perms::owner_all);
 }
 
-// A class of points keeps its colour whatever other classes a plot has, and a legend may stand below.
+// A class of points keeps its colour whatever other classes a plot has, and a legend may stand above.
 TEST(Plot, ColourAndLegendAreChosen) {
   const TemporaryFolder folder;
   Plot plot = example();
