@@ -95,7 +95,7 @@ class Comparison {
     plot.y_label = "pressure (kPa)";
     plot.second_axis = result::SecondAxis{"pressure (mmHg)", base::mmhg_per_kpa};
     plot.y_from_zero = true;
-    plot.legend_below = true;
+    plot.legend_above = true;
     // Side by side, so that bars do not hide each other.
     plot.series = {series("measured, with its scatter", measured_.pressures, -0.05),
                    series("computed, with its error", computed_, 0.05)};

@@ -161,7 +161,7 @@ result::Plot curve_plot(const std::string& title, const std::vector<Curve>& curv
   plot.title = title;
   plot.x_label = "stretch";
   plot.y_label = "nominal stress (MPa)";
-  plot.legend_below = true;
+  plot.legend_above = true;
   double largest = 0.0;
   for (const Curve& curve : curves)
     largest = std::max(largest, *std::max_element(curve.stress.begin(), curve.stress.end()));

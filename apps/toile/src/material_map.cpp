@@ -63,7 +63,7 @@ int class_of(const MapPoint& p) {
 template <class X, class Y, class Picks>
 result::Plot plane(const std::vector<MapPoint>& map, X x, Y y, Picks picks) {
   result::Plot plot;
-  plot.legend_below = true;
+  plot.legend_above = true;
   for (int k = 0; k < static_cast<int>(std::size(classes)); ++k) {
     result::Series series;
     series.title = classes[k];
