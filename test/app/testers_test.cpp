@@ -50,6 +50,18 @@ TEST_F(Testers, JawsReadThePressureOnACylinder) {
   EXPECT_NEAR(first("worn/testers.csv", "reading", "kPa"), 2.366 * pressure, 0.02 * 2.366 * pressure);
 }
 
+// A sensor that is wider than the limb, or lies where no fabric is, reads nothing, and a warning says why.
+TEST_F(Testers, WithoutAReadingSayWhy) {
+  std::string wide = sensor;
+  wide.replace(wide.find("value=\"20\""), 10, "value=\"150\"");
+  write_scene("sleeve", {{levels, wide + levels}});
+  EXPECT_THAT(toile("run scene.xml --output out").err,
+              HasSubstr("tester \"sensor\" reads nothing: the sensor is wider than the limb"));
+  write_scene("sleeve", {{levels, sensor + levels}, {"value=\"65\"", "value=\"300\""}});
+  EXPECT_THAT(toile("run scene.xml --output out").err,
+              HasSubstr("tester \"sensor\" reads nothing: no fabric reaches level \"middle\""));
+}
+
 // A tester at a level that is not there is refused with the nearest name.
 TEST_F(Testers, NeedTheirLevel) {
   std::string other = sensor;

@@ -28,8 +28,9 @@ base::Spec tester_spec() {
       "A stiff sensor between the fabric and the skin, over whose edges the fabric is bent: it reads more "
       "than the fabric presses with.");
   sensor.word("level", "Name of the entry of Levels at which it lies.")
-      .real("width", "mm", "Of the sensor, round the limb.", base::required, Range::positive())
-      .real("height", "mm", "Of the sensor.", base::required, Range::positive());
+      .real("width", "mm", "Of the sensor, round the limb; no wider than the limb.", base::required,
+            Range::between(1.0, 200.0))
+      .real("height", "mm", "Of the sensor.", base::required, Range::between(0.01, 20.0));
   base::Spec tester("tester", "A tester of a hosiery laboratory, and what it would read.");
   tester.variant("type", "Kind of tester.", {jaws, sensor});
   return tester;
