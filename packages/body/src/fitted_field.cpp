@@ -12,15 +12,14 @@
 namespace toile::body {
 namespace {
 
-constexpr double sample_spacing = 0.5;  ///< cells
 /// Of the whole body's grid, when there are finer cells in folds: their grid may have eight times as many. A whole
 /// person in cells of 5 mm has 1.3e7; with smaller ones folds are rounded by less than 2 mm as they are.
-constexpr double most_positions = 2e7;
+constexpr double most_positions_with_folds = 2e7;
 
 /// Of a mesh whose grid is not too large: the finer the cells, the more samples.
 SurfaceSamples samples_of(const TriangleMesh& mesh, double cell) {
   SheetGrid::box_of(mesh.vertices, cell);
-  return SurfaceSamples(mesh, sample_spacing * cell);
+  return SurfaceSamples(mesh, SheetGrid::sample_spacing * cell);
 }
 
 Eigen::Vector4d value_and_gradient(const SplineField::Value& field) {
@@ -81,7 +80,8 @@ FittedField::FittedField(const TriangleMesh& mesh, double cell, double smoothing
   whole_ =
       std::make_unique<FittedSplines>(fit_spline(grid_, data_of(mesh, samples_, *grid_), local.weights,
                                                  sum(vertex_areas(mesh)), std::vector<char>(grid_->unknowns(), 0)));
-  if (grid_->positions() > most_positions || std::count(local.narrow.begin(), local.narrow.end(), 1) == 0) return;
+  if (grid_->positions() > most_positions_with_folds || std::count(local.narrow.begin(), local.narrow.end(), 1) == 0)
+    return;
   folds_ = std::make_shared<const FoldGrid>(mesh, samples_, *grid_, local.narrow);
   in_folds_ = std::make_unique<FittedSplines>(
       fit_folds(data_of(mesh, samples_, folds_->grid()), *whole_, folds_, local.weights));

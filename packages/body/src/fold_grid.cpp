@@ -11,7 +11,6 @@ namespace {
 constexpr int margin = 2;
 /// Round that, facets whose cells are seen by splines that reach into the folds; they hold these at zero.
 constexpr int rim = 2;
-constexpr double sample_spacing = 0.5;  ///< in cells of half the size
 
 using Positions = std::set<SheetGrid::Position>;
 
@@ -79,7 +78,7 @@ FoldGrid::FoldGrid(const TriangleMesh& mesh, const SurfaceSamples& samples, cons
                    const std::vector<char>& narrow)
     : facet_of_(numbered(mesh, whole, grown(narrow_positions(whole, narrow), margin + rim))),
       facets_(numbered_facets(mesh, facet_of_)),
-      samples_(facets_, sample_spacing * 0.5 * whole.cell()),
+      samples_(facets_, SheetGrid::sample_spacing * 0.5 * whole.cell()),
       grid_(samples_, whole) {
   const Positions folds = grown(narrow_positions(whole, narrow), margin);
   std::vector<int> triangle_of(facets_.triangles.size());

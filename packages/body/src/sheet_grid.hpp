@@ -16,6 +16,7 @@ namespace toile::body {
 class SheetGrid {
  public:
   using Position = std::array<int, 3>;
+  static constexpr double sample_spacing = 0.5;  ///< between the samples that a grid is made from, cells
   struct Cell {
     Position at{};
     std::array<int, 64> unknowns{};  ///< of the node (i + n / 16, j + n / 4 % 4, k + n % 4)
