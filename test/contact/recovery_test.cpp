@@ -114,6 +114,24 @@ TEST(Recovery, TellsTheErrorOfTheRestEverywhere) {
   EXPECT_GE(least, 0.25 * largest);
 }
 
+// Free fabric that hovers by less than the body is known has the pressure as its error that it would make if the body
+// reached it, T/R; one that hovers by more has none.
+TEST(Recovery, TellsWhatAWiderBodyWouldBePressedBy) {
+  for (const double gap : {0.1, 0.3}) {
+    Patch patch(uniform);
+    for (ContactCluster& cluster : patch.clusters) {
+      cluster.force = 0.0;
+      cluster.surface.gap = gap;
+      cluster.doubt.gap = -0.2;
+    }
+    for (const contact::SitePressure& site : contact::recover(patch).site) {
+      EXPECT_EQ(site.pressure, 0.0);
+      EXPECT_EQ(site.error, 0.0);
+      EXPECT_NEAR(site.of_body, gap < 0.2 ? uniform(0.0) / radius : 0.0, 1e-12);
+    }
+  }
+}
+
 // A load that pulls the fabric off the body takes its pressure from that of the tension.
 TEST(Recovery, TakesThePressureOfLoads) {
   Patch patch(uniform);

@@ -57,6 +57,7 @@ class Recoverer {
   std::optional<SitePressure> fitted(int site);
   double load(int site) const;
   double body_change(int site);
+  double pressure_of_wider_body(int site);
   void average(double SitePressure::*error);
   double relative_error() const;
 
@@ -210,6 +211,23 @@ double Recoverer::body_change(int site) {
   return curved.value_or(0.0) + fabric_.stiffness * wider;
 }
 
+/// Of a free site that hovers by less than the body is known there, if the body reaches it: its tension then presses as
+/// it does beside. The doubt passes through zero, so the largest one around tells its size.
+double Recoverer::pressure_of_wider_body(int site) {
+  const ContactCluster& at = cluster(site);
+  const double gap = at.surface.gap - at.offset;
+  if (!at.surface.found || gap < 0.0) return 0.0;
+  double doubt = 0.0;
+  for (const int e : patches_.at(site))
+    for (int i = 0; i < fabric_.elements[static_cast<size_t>(e)].nodes; ++i) {
+      const ContactCluster& beside = cluster(fabric_.elements[static_cast<size_t>(e)].site[static_cast<size_t>(i)]);
+      doubt = std::max(doubt, std::abs(beside.doubt.gap));
+    }
+  if (gap >= doubt) return 0.0;
+  const std::optional<SitePressure> pressing = fitted(site);
+  return pressing ? std::max(0.0, pressing->pressure) : 0.0;
+}
+
 /// Mean over the site's elements of the pressure of loads that pulls the fabric off the body.
 double Recoverer::load(int site) const {
   double sum = 0.0, area = 0.0;
@@ -301,8 +319,8 @@ Recovery Recoverer::run() {
   for (size_t s = 0; s < fabric_.site_cluster.size(); ++s) {
     SitePressure& site = out_.site[s];
     site.error = std::max(site.error, least * site.pressure);
-    if (!touches(static_cast<int>(s))) site = {};
     if (unknown[s]) site.error = site.pressure;
+    if (!touches(static_cast<int>(s))) site = {0.0, 0.0, pressure_of_wider_body(static_cast<int>(s)), 0.0};
   }
   return out_;
 }

@@ -207,10 +207,11 @@ double mean_pressure(const Fields& fields) {
 void add_errors(const Accuracy& accuracy, Fields& out) {
   const double mean = mean_pressure(out);
   for (size_t n = 0; n < out.pressure.size(); ++n) {
-    if (!(out.pressure[n] > 0.0)) continue;
-    out.errors.solver[n] = accuracy.residual * mean;
-    out.errors.damping[n] = std::max(0.0, accuracy.undamped_residual - accuracy.residual) * mean;
-    out.errors.slack[n] = accuracy.kept * mean;
+    if (out.pressure[n] > 0.0) {
+      out.errors.solver[n] = accuracy.residual * mean;
+      out.errors.damping[n] = std::max(0.0, accuracy.undamped_residual - accuracy.residual) * mean;
+      out.errors.slack[n] = accuracy.kept * mean;
+    }
     out.pressure_error[n] = out.errors.total(n);
   }
 }

@@ -65,7 +65,9 @@ struct FabricInContact {
 struct SitePressure {
   double pressure = 0.0;  ///< MPa, never negative
   double error = 0.0;     ///< estimate of its error by the mesh, MPa
-  double of_body = 0.0;   ///< estimate of its error by the shape of the body, MPa
+  /// Estimate of its error by the shape of the body, MPa; of fabric that hovers by less than the body is known, what it
+  /// presses if the body reaches it.
+  double of_body = 0.0;
   /// What the doubt of the body changes the pressure by, MPa, with its sign: its mean over a line is the error of the
   /// mean, and the turns of a closed line are 2 pi however it is curved.
   double body_change = 0.0;
@@ -88,7 +90,7 @@ double pressure(double force, double area);
 /// doc/theory.md, "Pressure".
 ///
 /// Sites at the border of contact, which are loaded on a part of their area, have their force, freed of what the tilt
-/// of the facets makes. Free sites have zero.
+/// of the facets makes. Free sites have no pressure.
 Recovery recover(const FabricInContact& fabric);
 
 /// The map of tangent vectors of an element, at one of its points, onto the tangent plane of the body's level surface
