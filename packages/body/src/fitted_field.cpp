@@ -12,6 +12,8 @@
 namespace toile::body {
 namespace {
 
+/// Half of the width of slits that are left out, cells.
+constexpr double slit = 0.2;
 /// Of the whole body's grid, when there are finer cells in folds: their grid may have eight times as many. A whole
 /// person in cells of 5 mm has 1.3e7; with smaller ones folds are rounded by less than 2 mm as they are.
 constexpr double most_positions_with_folds = 2e7;
@@ -34,14 +36,35 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Vertices and their normals.
-std::vector<LevelSetDatum> data_of(const TriangleMesh& mesh, const SurfaceSamples& samples, const SheetGrid& grid) {
+/// Vertices in slits: a ball of that radius that touched them would be deep in other facets of the same sheet. No
+/// spline holds both walls, and no fabric gets there. Where walls have sheets of their own (two thighs), they may be as
+/// near to each other as they like.
+std::vector<char> slit_vertices(const TriangleMesh& mesh, const TriangleTree& tree, const SurfaceSamples& samples,
+                                const SheetGrid& grid, double radius) {
+  constexpr double deep = 0.35;  // of the radius: a crease of 40 degrees
+  std::vector<char> result(mesh.vertices.size(), 0);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3& vertex = mesh.vertices[i];
+    const int cell = grid.cell_of(grid.local(vertex), static_cast<int>(i));
+    if (cell < 0) continue;
+    const auto hit = tree.closest(vertex + radius * samples.normals[i]);
+    if (hit.distance > deep * radius) continue;
+    const Vec3 there = grid.local(hit.point);
+    const int wall = grid.cell_of(there, samples.nearest(hit.triangle, hit.barycentric));
+    result[i] = wall >= 0 && wall == grid.continued(cell, there) ? 1 : 0;
+  }
+  return result;
+}
+
+/// Vertices and their normals, those in slits left out.
+std::vector<LevelSetDatum> data_of(const TriangleMesh& mesh, const SurfaceSamples& samples, const SheetGrid& grid,
+                                   const std::vector<char>& in_slits) {
   const auto areas = vertex_areas(mesh);
   const auto border = border_vertices(mesh);
   std::vector<LevelSetDatum> data;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const int cell = grid.cell_of(grid.local(mesh.vertices[i]), static_cast<int>(i));
-    if (cell < 0 || areas[i] == 0.0) continue;  // a vertex that no triangle uses
+    if (cell < 0 || areas[i] == 0.0 || in_slits[i] != 0) continue;  // or a vertex that no triangle uses
     LevelSetDatum datum;
     datum.cell = cell;
     datum.point = mesh.vertices[i];
@@ -74,17 +97,18 @@ FittedSplines fit_folds(std::vector<LevelSetDatum> data, const FittedSplines& wh
 
 }  // namespace
 
-FittedField::FittedField(const TriangleMesh& mesh, double cell, double smoothing)
+FittedField::FittedField(const TriangleMesh& mesh, const TriangleTree& tree, double cell, double smoothing)
     : samples_(samples_of(mesh, cell)), grid_(std::make_shared<const SheetGrid>(samples_, cell)) {
+  const auto in_slits = slit_vertices(mesh, tree, samples_, *grid_, slit * cell);
   const auto local = local_smoothing(*grid_, samples_, mean_edge_length(mesh), smoothing);
   whole_ =
-      std::make_unique<FittedSplines>(fit_spline(grid_, data_of(mesh, samples_, *grid_), local.weights,
+      std::make_unique<FittedSplines>(fit_spline(grid_, data_of(mesh, samples_, *grid_, in_slits), local.weights,
                                                  sum(vertex_areas(mesh)), std::vector<char>(grid_->unknowns(), 0)));
   if (grid_->positions() > most_positions_with_folds || std::count(local.narrow.begin(), local.narrow.end(), 1) == 0)
     return;
   folds_ = std::make_shared<const FoldGrid>(mesh, samples_, *grid_, local.narrow);
   in_folds_ = std::make_unique<FittedSplines>(
-      fit_folds(data_of(mesh, samples_, folds_->grid()), *whole_, folds_, local.weights));
+      fit_folds(data_of(mesh, samples_, folds_->grid(), in_slits), *whole_, folds_, local.weights));
 }
 
 FittedField::Place FittedField::place(const TriangleTree::Hit& hit) const {

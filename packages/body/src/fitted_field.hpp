@@ -27,7 +27,8 @@ class FittedField {
   /// Least-squares fit to vertices (f = 0) and vertex normals (grad f = n), with the integral of the squared third
   /// derivatives times `smoothing`, less where the surface bends much; see the README. Throws InputError if the grid
   /// would be too large or the system cannot be factorised.
-  FittedField(const TriangleMesh& mesh, double cell, double smoothing);
+  /// `tree`: of the mesh.
+  FittedField(const TriangleMesh& mesh, const TriangleTree& tree, double cell, double smoothing);
 
   /// Of the sheet of a facet, at a point on it.
   Place place(const TriangleTree::Hit& hit) const;

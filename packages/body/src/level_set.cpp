@@ -97,7 +97,7 @@ class LevelSetSurface final : public Surface {
         edge_(mean_edge_length(mesh_)),
         start_(std::chrono::steady_clock::now()),
         options_(completed(options, edge_)),
-        field_(mesh_, options_.cell, options_.smoothing),
+        field_(mesh_, tree_, options_.cell, options_.smoothing),
         name_(std::move(name)) {
     report_fit();
   }
