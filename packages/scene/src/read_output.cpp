@@ -197,6 +197,11 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
       out.testers.push_back(read_tester(entry));
       check_tester(entry, out, problem);
     }
+  if (list.has_list("Drapemeter")) {
+    if (out.bent_axis)
+      list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");
+    out.drapemeter = read_drapemeter(list.list("Drapemeter"), *problem.mesh);
+  }
   return out;
 }
 

@@ -80,7 +80,8 @@ Spec output_spec() {
                  "(pressure-points.csv): the same places whatever the mesh.")
                 .entries(body_point))
       .list(lines_spec())
-      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()));
+      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()))
+      .list(drapemeter_spec());
   return output;
 }
 
