@@ -52,7 +52,6 @@ ParameterList drapemeter(const Cloth& cloth, double size) {
 struct Drape {
   run::DrapeReading reading;
   double potential = 0.0;  ///< of fabric and weight, N mm
-  double hourglass = 0.0;  ///< part of the strain energy
 };
 
 /// Potential of the weight in the last state, N mm.
@@ -77,10 +76,10 @@ Drape hang(const PlaneRun& run, double weight, const std::string& title) {
   Drape drape;
   drape.reading = run::read_drape(*run.scene, solve::compute_fields(run.scene->problem(), run.states.back()).position);
   drape.potential = last.energy.strain + height_energy(run, weight);
-  drape.hourglass = last.energy.stabilisation / last.energy.strain;
   print(
       "%-52s drape coefficient %.3f, %d folds, potential %.4f N mm, %.1f %% of the strain energy in hourglass modes\n",
-      title.c_str(), drape.reading.coefficient, drape.reading.folds, drape.potential, 100.0 * drape.hourglass);
+      title.c_str(), drape.reading.coefficient, drape.reading.folds, drape.potential,
+      100.0 * last.energy.stabilisation / last.energy.strain);
   return drape;
 }
 
@@ -118,24 +117,18 @@ ParameterList let_go(ParameterList scene, int places) {
   return scene;
 }
 
-// Stiff cotton that is held up at six places and let go comes to the folds that the weight makes when it is put on
-// little by little. Soft silk keeps another fold, which is stable and higher in energy.
-TEST(DrapeCoefficient, DependsOnHowTheFoldsFormInSoftFabricsAlone) {
+// Stiff cotton whose rim is held level at six places, and then let go, comes to the folds that it has without.
+TEST(DrapeCoefficient, OfStiffCottonDoesNotDependOnHowItCameToHang) {
   const Cloth cotton;
-  const Drape expected = hang(cotton, 10.0, "stiff cotton, 10 mm");
+  const Drape expected = hang(cotton, 8.0, "stiff cotton, 8 mm");
   const Drape found =
-      hang(run(let_go(drapemeter(cotton, 10.0), 6)), cotton.weight, "stiff cotton, 10 mm, let go at 6 places");
-  EXPECT_NEAR(found.reading.coefficient, expected.reading.coefficient, 1e-4);
-  const Cloth silk{0.02, 0.3, 60.0, 5.0};
-  const Drape least = hang(silk, 8.0, "soft silk, 8 mm");
-  const Drape other = hang(run(let_go(drapemeter(silk, 8.0), 5)), silk.weight, "soft silk, 8 mm, let go at 5 places");
-  EXPECT_GT(other.potential, least.potential);
-  EXPECT_GT(other.reading.folds, least.reading.folds);
-  EXPECT_NEAR(other.reading.coefficient, least.reading.coefficient, 0.15);
+      hang(run(let_go(drapemeter(cotton, 8.0), 6)), cotton.weight, "stiff cotton, 8 mm, let go at 6 places");
+  EXPECT_NEAR(found.reading.coefficient, expected.reading.coefficient, 2e-6);
+  EXPECT_NEAR(found.potential, expected.potential, 2e-6);
+  EXPECT_EQ(found.reading.folds, expected.reading.folds);
 }
 
-// The mesh changes the coefficient of cotton by less than 0.03 from elements of 10 mm on, always upwards: coarse ones
-// are too stiff.
+// Elements of 10 mm, twice as long as the finer ones, raise the coefficient of cotton by less than 0.03.
 TEST(DrapeCoefficient, DependsLittleOnTheMesh) {
   const Cloth cotton;
   const double coarse = hang(cotton, 10.0, "stiff cotton, 10 mm").reading.coefficient;
@@ -208,7 +201,7 @@ TEST(DrapeCoefficient, OfASlightlyBentRingIsThatOfAPlate) {
     const double error = mean / expected - 1.0;
     print("plate, %2.0f mm: deflection of the rim %.6f mm (%.6f, %+.2f %%)\n", size, mean, expected, 100.0 * error);
     if (size < 12.0) {
-      EXPECT_LT(std::abs(error), 0.005);
+      EXPECT_LT(std::abs(error), 6e-4);
       EXPECT_LT(std::abs(error), std::abs(before));
     }
     before = error;
