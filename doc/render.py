@@ -29,6 +29,7 @@ def arguments():
     parser.add_argument("output", help="PNG file")
     parser.add_argument("--field", default="pressure", help="field that colours the surfaces (default: pressure)")
     parser.add_argument("--angle", type=float, default=30.0, help="view angle about the vertical (default: 30 degrees)")
+    parser.add_argument("--elevation", type=float, default=0.0, help="how far from above it is seen (default: 0 degrees, level)")
     parser.add_argument("--step", type=int, default=-1, help="step of the run, counted from 0; -1: the last (default)")
     parser.add_argument("--up", choices="xyz", default="z", help="vertical axis (default: z)")
     parser.add_argument("--largest", type=float, help="value of the brightest colour, in the unit that is shown (default: the largest value)")
@@ -246,15 +247,16 @@ def colour_bar(vtk, colours, label, font_size):
     return bar
 
 
-def camera_axes(up, angle):
+def camera_axes(up, angle, elevation):
     """Unit vectors from the scene to the camera, to the right and upwards."""
     cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    level, above = math.cos(math.radians(elevation)), math.sin(math.radians(elevation))
     third = "xyz".index(up)
     first, second = (third + 1) % 3, (third + 2) % 3
     towards, right, upwards = [0.0] * 3, [0.0] * 3, [0.0] * 3
-    towards[first], towards[second] = cosine, sine
+    towards[first], towards[second], towards[third] = level * cosine, level * sine, above
     right[first], right[second] = -sine, cosine
-    upwards[third] = 1.0
+    upwards[first], upwards[second], upwards[third] = -above * cosine, -above * sine, level
     return towards, right, upwards
 
 
@@ -283,7 +285,7 @@ def build_scene(vtk, blocks, options, label):
         renderer.AddActor(actor(vtk, grid, field if has_field(grid, field) else None, colours, in_front=True))
     if not options.no_seams:
         renderer.AddActor(seam_actor(vtk, seams(vtk, garment.values()), width=options.height / 500))
-    axes = camera_axes(options.up, options.angle)
+    axes = camera_axes(options.up, options.angle, options.elevation)
     if BODY in blocks:
         body = blocks[BODY]
         renderer.AddActor(actor(vtk, body))

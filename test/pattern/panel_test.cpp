@@ -54,6 +54,22 @@ TEST(Panel, TouchingHolesAreRefused) {
   EXPECT_THAT(refusal(panel), HasSubstr("the hole with edge \"two\" touches or crosses the hole with edge \"one\""));
 }
 
+// A hole that runs the wrong way is told as such, in an outline of arcs too.
+TEST(Panel, HoleTheWrongWayRoundIsRefused) {
+  const auto arcs = [](double radius, const std::string& name) {
+    const Vec2 right(radius, 0.0), left(-radius, 0.0);
+    return Loop{{name + " back", Curve::circular(right, left, radius, false, true)},
+                {name + " front", Curve::circular(left, right, radius, false, true)}};
+  };
+  Panel panel = square();
+  panel.outline = arcs(150.0, "rim");
+  EXPECT_EQ(refusal(panel), "no error");
+  panel.holes = {arcs(90.0, "hole")};
+  EXPECT_THAT(refusal(panel), HasSubstr("the outline must run counter-clockwise and holes clockwise"));
+  orient(panel);
+  EXPECT_EQ(refusal(panel), "no error");
+}
+
 // A hole outside of the outline is refused.
 TEST(Panel, HoleOutsideIsRefused) {
   Panel panel = square();

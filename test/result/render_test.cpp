@@ -114,7 +114,7 @@ for stretch in (0.02, 1.0, 40.0):
     for i in range(grid.GetNumberOfPoints()):
       x, y, z = grid.GetPoint(i)
       grid.GetPoints().SetPoint(i, stretch * x, stretch * y, z)
-  options = types.SimpleNamespace(field='pressure', largest=None, up='z', angle=30.0, height=300, no_seams=False)
+  options = types.SimpleNamespace(field='pressure', largest=None, up='z', angle=30.0, elevation=0.0, height=300, no_seams=False)
   (shown, bar), ratio = render.build_scene(vtk, blocks, options, 'pressure')
   check(shown.GetViewport()[2] <= bar.GetViewport()[0], 'parts beside each other')
   window = vtk.vtkRenderWindow()

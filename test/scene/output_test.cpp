@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "lists.hpp"
 
 namespace toile::scene::test {
@@ -93,6 +95,42 @@ TEST(Output, PressureWithoutABodyIsRefused) {
   check.sublist("Checks").sublist("p").set("quantity", std::string("largest pressure")).set("upper", 1.0);
   EXPECT_THAT(input_error(check), HasSubstr("scene > Checks > p: parameter \"quantity\" = \"largest pressure\": the "
                                             "scene has no list \"Body\""));
+}
+
+ParameterList& add_drapemeter(ParameterList& scene, double disc, double fabric) {
+  return scene.sublist("Output").sublist("Drapemeter").set("disc radius", disc).set("fabric radius", fabric);
+}
+
+// A drapemeter needs fabric beyond its disc, of the area of the round fabric or of its ring.
+TEST(Output, DrapemeterOfAnotherFabricIsRefused) {
+  ParameterList small = flat_scene();
+  add_drapemeter(small, 90.0, 90.0);
+  EXPECT_THAT(input_error(small), HasSubstr("scene > Output > Drapemeter: parameter \"fabric radius\" = 90: must be "
+                                            "greater than \"disc radius\""));
+  ParameterList other = flat_scene();
+  add_drapemeter(other, 40.0, 100.0);
+  EXPECT_THAT(input_error(other), HasSubstr("the panels have an area of 20000 mm^2; the whole fabric has 31415.9 mm^2, "
+                                            "its ring beyond the disc 26389.4 mm^2"));
+  ParameterList ring = flat_scene();
+  add_drapemeter(ring, 60.0, 100.0);  // 20106 mm^2 beyond the disc
+  EXPECT_DOUBLE_EQ(build(ring)->output().drapemeter->coefficient(M_PI * 100.0 * 100.0), 1.0);
+  EXPECT_NEAR(build(ring)->output().drapemeter->coefficient(M_PI * 60.0 * 60.0), 0.0, 1e-12);
+}
+
+// Light falls along a straight axis.
+TEST(Output, DrapemeterOnABentAxisIsRefused) {
+  ParameterList list = flat_scene();
+  add_drapemeter(list, 60.0, 100.0);
+  list.sublist("Output").set("axis", reals({0, 0, 0, 0, 0, 50, 0, 20, 100}));
+  EXPECT_THAT(input_error(list), HasSubstr("does not go with the list \"Drapemeter\""));
+}
+
+// A check of drape needs a drapemeter.
+TEST(Output, CheckOfDrapeWithoutADrapemeterIsRefused) {
+  ParameterList list = flat_scene();
+  list.sublist("Checks").sublist("drape").set("quantity", std::string("drape coefficient")).set("upper", 0.8);
+  EXPECT_THAT(input_error(list), HasSubstr("scene > Checks > drape: parameter \"quantity\" = \"drape coefficient\": "
+                                           "needs the list \"Output > Drapemeter\""));
 }
 
 }  // namespace

@@ -128,9 +128,9 @@ class Steps : public run::Observer {
   PlaneRun& found_;
 };
 
-PlaneRun run_problem(const base::List& list, bool mixed) {
+PlaneRun run_problem(std::unique_ptr<run::Session> session, bool mixed) {
   PlaneRun found;
-  found.session = std::make_unique<run::Session>(list);
+  found.session = std::move(session);
   found.scene = &found.session->scene();
   if (mixed) {
     found.mixed = std::make_unique<MixedProblem>(found.scene->problem());
@@ -154,11 +154,15 @@ size_t final_step(const PlaneRun& run, double load) {
 }
 
 PlaneRun run(const base::List& list) {
-  return run_problem(list, false);
+  return run_problem(std::make_unique<run::Session>(list), false);
 }
 
 PlaneRun run(const ParameterList& list) {
-  return run(base::validate(list, scene::scene_spec(), "plane.xml"));
+  return run_problem(std::make_unique<run::Session>(list, "plane.xml"), false);
+}
+
+PlaneRun run_shipped(const std::string& file) {
+  return run_problem(std::make_unique<run::Session>(TOILE_SOURCE_DIR "/input/" + file), false);
 }
 
 PlaneRun run_freely(ParameterList list, const FreeMeshing& meshing) {
@@ -173,7 +177,7 @@ PlaneRun run_freely(ParameterList list, const FreeMeshing& meshing) {
     finer.set("size", meshing.corner_size);
     finer.set("distance", 16.0);
   }
-  return run_problem(base::validate(list, scene::scene_spec(), "plane.xml"), meshing.kind == "mixed");
+  return run_problem(std::make_unique<run::Session>(list, "plane.xml"), meshing.kind == "mixed");
 }
 
 }  // namespace toile::test

@@ -57,6 +57,8 @@ size_t final_step(const PlaneRun& run, double load);
 
 PlaneRun run(const base::List& list);
 PlaneRun run(const Teuchos::ParameterList& list);
+/// A scene of input/, as it is.
+PlaneRun run_shipped(const std::string& file);
 
 /// How a panel is meshed freely.
 struct FreeMeshing {

@@ -130,8 +130,10 @@ std::string why_invalid(const Panel& panel) {
   std::string detail;
   bg::validity_failure_type failure{};
   if (bg::is_valid(polygon, failure)) return "";
-  // A figure of eight has no orientation.
-  if (failure == bg::failure_wrong_orientation && !bg::is_simple(Line(polygon.outer().begin(), polygon.outer().end())))
+  // A figure of eight has no orientation: turning its loops does not help.
+  Panel turned = panel;
+  orient(turned);
+  if (failure == bg::failure_wrong_orientation && !bg::is_valid(polygon_of(turned)))
     return reason(bg::failure_self_intersections, crossing(panel.outline));
   bg::is_valid(polygon, detail);
   return reason(failure, detail);

@@ -7,6 +7,7 @@
 #include "compression_fault.hpp"
 #include "figures.hpp"
 #include "toile/base/units.hpp"
+#include "toile/run/shadow.hpp"
 
 namespace toile::run {
 
@@ -25,14 +26,24 @@ double section_pressure(const std::string& title, const PressureReport& pressure
   return row != nullptr && row->reached() ? base::mpa_to_kpa(row->pressure_mean) : NAN;
 }
 
-double value_of(const scene::Check& check, const Figures& f, const PressureReport& pressure, std::string& problem) {
-  if (check.sections.empty()) {
-    const std::map<std::string, double> values = {
-        {"largest pressure", f.largest_pressure},   {"smallest principal stress", f.smallest_stress},
-        {"force balance", f.force_balance},         {"largest gap", f.largest_gap},
-        {"dissipation ratio", f.dissipation_ratio}, {"extrapolated elements", f.extrapolated}};
-    return values.at(check.quantity);
-  }
+/// By the word of the input.
+using Values = std::map<std::string, double>;
+
+/// What needs no level; of drape, if the scene has a drapemeter.
+Values plain_values(const Record& record) {
+  const Figures f = figures_of(record.fields(), record.last());
+  Values values = {{"largest pressure", f.largest_pressure},   {"smallest principal stress", f.smallest_stress},
+                   {"force balance", f.force_balance},         {"largest gap", f.largest_gap},
+                   {"dissipation ratio", f.dissipation_ratio}, {"extrapolated elements", f.extrapolated}};
+  if (!record.scene().output().drapemeter) return values;
+  const DrapeReading drape = read_drape(record.scene(), record.fields().position);
+  values["drape coefficient"] = drape.coefficient;
+  values["folds"] = drape.folds;
+  return values;
+}
+
+double value_of(const scene::Check& check, const Values& values, const PressureReport& pressure, std::string& problem) {
+  if (check.sections.empty()) return values.at(check.quantity);
   const double first = section_pressure(check.sections[0], pressure, problem);
   return check.sections.size() == 1 ? first : first / section_pressure(check.sections[1], pressure, problem);
 }
@@ -48,9 +59,9 @@ std::string message_of(const CheckOutcome& outcome, const std::string& problem) 
   return message.str();
 }
 
-CheckOutcome bounds_outcome(const scene::Check& check, const Figures& figures, const PressureReport& pressure) {
+CheckOutcome bounds_outcome(const scene::Check& check, const Values& values, const PressureReport& pressure) {
   std::string problem;
-  CheckOutcome outcome{check.name, check.quantity, value_of(check, figures, pressure, problem), unit_of(check),
+  CheckOutcome outcome{check.name, check.quantity, value_of(check, values, pressure, problem), unit_of(check),
                        base::Range{check.lower, check.upper}.text()};
   outcome.holds = outcome.value >= check.lower && outcome.value <= check.upper;
   if (!outcome.holds) outcome.message = message_of(outcome, problem);
@@ -71,10 +82,10 @@ CheckOutcome class_outcome(const scene::Check& check, const PressureReport& pres
 std::vector<CheckOutcome> check_outcomes(const Record& record) {
   std::vector<CheckOutcome> outcomes;
   if (record.scene().checks().empty()) return outcomes;
-  const Figures figures = figures_of(record.fields(), record.last());
+  const Values values = plain_values(record);
   for (const scene::Check& check : record.scene().checks())
     outcomes.push_back(check.compression ? class_outcome(check, record.pressure())
-                                         : bounds_outcome(check, figures, record.pressure()));
+                                         : bounds_outcome(check, values, record.pressure()));
   return outcomes;
 }
 

@@ -26,6 +26,7 @@ namespace toile::run {
   OUTPUT(pressure_lines)      \
   OUTPUT(compression_class)   \
   OUTPUT(testers)             \
+  OUTPUT(drapemeter)          \
   OUTPUT(field_warnings)      \
   OUTPUT(crossed_planes)      \
   OUTPUT(crossing_warnings)   \

@@ -46,10 +46,16 @@ Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
   return {entry.name(), found.nodes.front()};
 }
 
-const base::Texts plain_quantities = {"largest pressure", "smallest principal stress", "force balance",
-                                      "largest gap",      "dissipation ratio",         "extrapolated elements"};
+const base::Texts drape_quantities = {"drape coefficient", "folds"};
+const base::Texts plain_quantities = {"largest pressure",  "smallest principal stress", "force balance",
+                                      "largest gap",       "dissipation ratio",         "extrapolated elements",
+                                      drape_quantities[0], drape_quantities[1]};
 const std::string at_level = "pressure at level ", ratio_of = "ratio of levels ", class_of_b = "compression class",
                   class_at = class_of_b + " at level ";
+
+bool is_one_of(const base::Texts& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 /// Whether a section's title names a level: "C" and "C (2)" do.
 bool is_level(const std::string& title, const Output& output) {
@@ -81,7 +87,7 @@ std::vector<std::string> sections_of(const base::List& entry, const Output& outp
     titles = {quantity.substr(class_at.size())};
   } else if (quantity.find(ratio_of) == 0) {
     titles = two_titles(entry, quantity.substr(ratio_of.size()), output);
-  } else if (std::find(plain_quantities.begin(), plain_quantities.end(), quantity) == plain_quantities.end()) {
+  } else if (!is_one_of(plain_quantities, quantity)) {
     base::Texts valid = plain_quantities;
     valid.insert(valid.end(),
                  {at_level + "<level>", ratio_of + "<level> to <level>", class_of_b, class_at + "<level>"});
@@ -197,6 +203,11 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
       out.testers.push_back(read_tester(entry));
       check_tester(entry, out, problem);
     }
+  if (list.has_list("Drapemeter")) {
+    if (out.bent_axis)
+      list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");
+    out.drapemeter = read_drapemeter(list.list("Drapemeter"), *problem.mesh);
+  }
   return out;
 }
 
@@ -209,6 +220,8 @@ std::vector<Check> read_checks(const base::List& list, const Output& output, boo
     check.compression = compression_of(entry);
     const bool of_contact = check.quantity == "largest pressure" || check.quantity == "largest gap";
     if (!with_body && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
+    if (is_one_of(drape_quantities, check.quantity) && !output.drapemeter)
+      entry.fail("quantity", "needs the list \"Output > Drapemeter\"");
     checks.push_back(check);
   }
   return checks;

@@ -80,7 +80,8 @@ Spec output_spec() {
                  "(pressure-points.csv): the same places whatever the mesh.")
                 .entries(body_point))
       .list(lines_spec())
-      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()));
+      .list(Spec("Testers", "What testers of a hosiery laboratory would read (testers.csv).").entries(tester_spec()))
+      .list(drapemeter_spec());
   return output;
 }
 
@@ -106,7 +107,8 @@ Spec checks_spec() {
           "quantity",
           "What is bounded: largest pressure or smallest principal stress (kPa), force balance (residual over the sum "
           "of magnitudes), largest gap of a node in contact (mm), dissipation ratio, extrapolated elements (their "
-          "number, outside the calibrated range of their fabric); pressure at level <level> (kPa, the mean round the "
+          "number, outside the calibrated range of their fabric); drape coefficient or folds of the Drapemeter; "
+          "pressure at level <level> (kPa, the mean round the "
           "section) or ratio of levels <level> to <level>; or compression class (of the pressure at level B) or "
           "compression class at level <level>. Of several sections at a level one is named as in pressure-levels.csv, "
           "for instance C (2).")

@@ -16,6 +16,7 @@
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
 #include "toile/scene/compression_class.hpp"
+#include "toile/scene/drapemeter.hpp"
 #include "toile/scene/tester.hpp"
 #include "toile/solve/options.hpp"
 #include "toile/solve/problem.hpp"
@@ -81,6 +82,7 @@ struct Output {
   std::vector<BodyPoint> body_points;
   std::vector<PressureLine> lines;
   std::vector<Tester> testers;
+  std::optional<Drapemeter> drapemeter;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;
