@@ -41,8 +41,11 @@ std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, co
   return std::pair(static_cast<int>(normal), std::round(place / flat) * flat);
 }
 
-double norm(const std::vector<double>& parts) {
-  return std::sqrt(std::inner_product(parts.begin(), parts.end(), parts.begin(), 0.0));
+/// With its error: `parts` is [solve::error_parts()][place] MPa.
+PointPressure with_parts(PointPressure at, const std::vector<std::vector<double>>& parts, std::size_t place) {
+  for (const std::vector<double>& part : parts) at.error_parts.push_back(part[place]);
+  at.error = std::sqrt(std::inner_product(at.error_parts.begin(), at.error_parts.end(), at.error_parts.begin(), 0.0));
+  return at;
 }
 
 /// [solve::error_parts()][node] MPa. Whether fabric touches is known within an element: a node that is free may press
@@ -129,11 +132,14 @@ const result::LevelRow* section(const PressureReport& pressure, const std::strin
   return nullptr;
 }
 
-PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node) {
-  PointPressure at{fields.pressure[node], 0.0, {}, fields.gap[node]};
-  for (const std::vector<double>& part : parts_of_points(scene, fields)) at.error_parts.push_back(part[node]);
-  at.error = norm(at.error_parts);
-  return at;
+std::vector<PointPressure> point_pressures(const scene::Scene& scene, const std::vector<scene::Point>& at,
+                                           const solve::Fields& fields) {
+  if (at.empty()) return {};
+  const std::vector<std::vector<double>> parts = parts_of_points(scene, fields);
+  std::vector<PointPressure> all;
+  for (const scene::Point& point : at)
+    all.push_back(with_parts({fields.pressure[point.node], 0.0, {}, fields.gap[point.node]}, parts, point.node));
+  return all;
 }
 
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
@@ -151,9 +157,7 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
   for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.map(part));
   std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
-    all.push_back({pressure[p], 0.0, {}, std::nullopt});
-    for (const std::vector<double>& part : parts) all.back().error_parts.push_back(part[p]);
-    all.back().error = norm(all.back().error_parts);
+    all.push_back(with_parts({pressure[p], 0.0, {}, std::nullopt}, parts, p));
     if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
   }
   return all;

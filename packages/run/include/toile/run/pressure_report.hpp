@@ -31,8 +31,9 @@ struct PointPressure {
   std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric is there
 };
 
-/// At a node. One that is free beside nodes that press has their largest pressure as its error.
-PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node);
+/// [point] At nodes. One that is free beside nodes that press has their largest pressure as its error.
+std::vector<PointPressure> point_pressures(const scene::Scene& scene, const std::vector<scene::Point>& at,
+                                           const solve::Fields& fields);
 
 /// [place]
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
