@@ -88,20 +88,19 @@ std::vector<int> mirror_planes(const scene::Scene& scene) {
   return plane;
 }
 
-std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report) {
+std::vector<int> tied_nodes(const solve::Problem& problem, double seam) {
   std::vector<int> tied(static_cast<size_t>(problem.mesh->nodes()));
   std::iota(tied.begin(), tied.end(), 0);
-  if (report.seam != 1.0) return tied;
+  if (seam != 1.0) return tied;
   for (const std::vector<int>& cluster : problem.clusters)
     for (const int n : cluster) tied[n] = cluster.front();
   return tied;
 }
 
-result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields,
-                              const solve::StepReport& report) {
+result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields, double seam) {
   std::vector<double> distance = fields.gap;
   for (size_t n = 0; n < distance.size(); ++n) distance[n] += fields.offset[n];
-  return {problem.mesh, fields.position, tied_nodes(problem, report), distance, fields.normal};
+  return {problem.mesh, fields.position, tied_nodes(problem, seam), distance, fields.normal};
 }
 
 std::vector<bool> elements_at_supports(const scene::Scene& scene) {
@@ -150,7 +149,7 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
     normals.push_back(point.normal);
   }
   if (places.empty()) return {};
-  const result::BodyMap map(on_body(scene.problem(), fields, report), places, normals);
+  const result::BodyMap map(on_body(scene.problem(), fields, report.seam), places, normals);
   const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
                             layers = map.map(std::vector<double>(fields.position.size(), 1.0));
   std::vector<std::vector<double>> parts;
@@ -170,7 +169,7 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
   if (scene.surface() == nullptr || (output.stations == 0 && output.levels.empty())) return found;
   result::GarmentFields garment{&scene.garment().mesh,
                                 fields.position,
-                                tied_nodes(scene.problem(), report),
+                                tied_nodes(scene.problem(), report.seam),
                                 fields.pressure,
                                 {},
                                 fields.tension,

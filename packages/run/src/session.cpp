@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "alike.hpp"
+#include "overlaps.hpp"
 #include "restart_file.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/read_content.hpp"
@@ -58,7 +59,12 @@ Session::Session(const base::List& list, const Options& options) : Session(Input
 Session::~Session() = default;
 
 const scene::StartReport& Session::start_report() {
-  if (!start_) start_ = scene::look_at_start(scene_, list_);
+  if (!start_) {
+    const solve::Fields fields = solve::compute_fields(scene_.problem(), scene_.start());
+    start_ = scene::look_at_start(scene_, list_, fields);
+    const auto phase = timer_.phase("overlaps");
+    for (std::string& text : overlaps_of_start(scene_, fields)) start_->warnings.push_back(std::move(text));
+  }
   return *start_;
 }
 
