@@ -119,16 +119,11 @@ bool moves_as_one(const solve::Support& support) {
   return true;
 }
 
-/// Its support or level is there.
-void check_tester(const base::List& entry, const Output& output, const solve::Problem& problem) {
-  const std::string kind = std::holds_alternative<FlatJaws>(output.testers.back().kind) ? "support" : "level";
-  base::Texts valid;
-  if (kind == "support")
-    for (const solve::Support& support : problem.supports) valid.push_back(support.name);
-  else
-    for (const Level& level : output.levels) valid.push_back(level.name);
-  if (std::find(valid.begin(), valid.end(), entry.word(kind)) == valid.end())
-    entry.fail(kind, unknown(kind, entry.word(kind), valid));
+TesterPlaces tester_places(const Output& output, const solve::Problem& problem) {
+  TesterPlaces places;
+  for (const solve::Support& support : problem.supports) places.supports.push_back(support.name);
+  for (const Level& level : output.levels) places.levels.push_back(level.name);
+  return places;
 }
 
 }  // namespace
@@ -193,10 +188,8 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
       out.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));
   if (list.has_list("Lines")) out.lines = read_lines(list.list("Lines"), problem.surface, out);
   if (list.has_list("Testers"))
-    for (const base::List& entry : list.list("Testers").entries()) {
-      out.testers.push_back(read_tester(entry));
-      check_tester(entry, out, problem);
-    }
+    for (const base::List& entry : list.list("Testers").entries())
+      out.testers.push_back(read_tester(entry, tester_places(out, problem)));
   return out;
 }
 

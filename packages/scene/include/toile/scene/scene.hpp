@@ -80,7 +80,7 @@ struct Output {
   std::vector<Level> levels;
   std::vector<BodyPoint> body_points;
   std::vector<PressureLine> lines;
-  std::vector<Tester> testers;
+  std::vector<std::shared_ptr<const Tester>> testers;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
   std::vector<Point> points;
