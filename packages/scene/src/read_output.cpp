@@ -25,18 +25,6 @@ std::string unknown(const std::string& kind, const std::string& name, const base
   return "no " + kind + " is named \"" + name + "\"" + base::hint(name, valid);
 }
 
-int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
-  const std::string& name = list.word(parameter);
-  const auto edge = mesh.edges.find(name);
-  if (edge == mesh.edges.end()) {
-    base::Texts valid;
-    for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
-    list.fail(parameter, unknown("edge", name, valid));
-  }
-  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
-  return edge->second[static_cast<size_t>(std::lround(at))];
-}
-
 Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
   const mesh::FoundNodes found = mesh::find_nodes(mesh, entry.word("on"));
   if (!found.problem.empty()) entry.fail("on", found.problem);
@@ -127,6 +115,18 @@ TesterPlaces tester_places(const Output& output, const solve::Problem& problem) 
 }
 
 }  // namespace
+
+int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
+  const std::string& name = list.word(parameter);
+  const auto edge = mesh.edges.find(name);
+  if (edge == mesh.edges.end()) {
+    base::Texts valid;
+    for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
+    list.fail(parameter, unknown("edge", name, valid));
+  }
+  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
+  return edge->second[static_cast<size_t>(std::lround(at))];
+}
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
   Output out;
