@@ -22,8 +22,9 @@
 
 namespace toile::scene {
 
-/// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be.
-base::Spec scene_spec(const material::Laws& laws = material::Laws());
+/// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be; `warnings`: gets
+/// what must be known of how a list was completed (null: nobody asks).
+base::Spec scene_spec(const material::Laws& laws = material::Laws(), std::vector<std::string>* warnings = nullptr);
 
 /// Its list "Materials" alone.
 base::Spec materials_spec(const material::Laws& laws);
