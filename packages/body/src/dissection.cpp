@@ -107,12 +107,10 @@ void Dissection::order(std::vector<int> part, std::vector<int>* result) {
 
 }  // namespace
 
-std::vector<int> dissection_order(const SheetGrid& grid) {
-  std::vector<int> all(grid.unknowns());
-  std::iota(all.begin(), all.end(), 0);
+std::vector<int> dissection_order(const SheetGrid& grid, std::vector<int> unknowns) {
   std::vector<int> result;
-  result.reserve(all.size());
-  Dissection(grid).order(std::move(all), &result);
+  result.reserve(unknowns.size());
+  Dissection(grid).order(std::move(unknowns), &result);
   return result;
 }
 

@@ -8,17 +8,15 @@
 #include <sstream>
 #include <utility>
 
-#include "fit_level_set.hpp"
+#include "fitted_field.hpp"
 #include "mesh_geometry.hpp"
-#include "sheet_grid.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/triangle_tree.hpp"
 
 namespace toile::body {
 namespace {
 
-constexpr double sample_spacing = 0.5;  ///< cells
-constexpr double least_range = 25.0;    ///< mm; fabric further away has no business with the smooth surface
+constexpr double least_range = 25.0;  ///< mm; fabric further away has no business with the smooth surface
 
 /// Fine enough for the shape, coarse enough to average over the noise of the normals: measured on meshes with edges of
 /// 5, 10 and 20 mm (README).
@@ -91,12 +89,6 @@ double quantile(std::vector<std::array<double, 2>> values, double weight) {
   return values.empty() ? 0.0 : values.back()[0];
 }
 
-/// Of a mesh whose grid is not too large: the finer the cells, the more samples.
-SurfaceSamples samples_of(const TriangleMesh& mesh, double cell) {
-  SheetGrid::box_of(mesh.vertices, cell);
-  return SurfaceSamples(mesh, sample_spacing * cell);
-}
-
 class LevelSetSurface final : public Surface {
  public:
   LevelSetSurface(TriangleMesh mesh, const LevelSetOptions& options, std::string name)
@@ -105,8 +97,7 @@ class LevelSetSurface final : public Surface {
         edge_(mean_edge_length(mesh_)),
         start_(std::chrono::steady_clock::now()),
         options_(completed(options, edge_)),
-        samples_(samples_of(mesh_, options_.cell)),
-        fit_(fit_level_set(mesh_, samples_, options_.cell, options_.smoothing)),
+        field_(mesh_, options_.cell, options_.smoothing),
         name_(std::move(name)) {
     report_fit();
   }
@@ -119,7 +110,7 @@ class LevelSetSurface final : public Surface {
  private:
   /// A place on the zero set of one sheet, and the multiplier of point - y - mu grad f(y) = 0.
   struct Foot {
-    int cell = -1;
+    FittedField::Place place;
     Vec3 y;
     double mu = 0.0;
     SplineField::Value field;
@@ -131,9 +122,9 @@ class LevelSetSurface final : public Surface {
   /// From the place and multiplier in `foot`. False if there is none, or if it is not the closest point of that sheet.
   bool find_on_sheet(const Vec3& point, Foot* foot, SurfacePoint* result) const;
   /// In a narrow gap the facets of one sheet may be nearer, and the smooth surface of another. `foot`: that `result` is
-  /// at, its cell -1: none.
+  /// at, its place is not found: none.
   void try_other_sheets(const Vec3& point, Foot* foot, SurfacePoint* result) const;
-  /// The closest point, and where it is; its cell is -1 if none is found.
+  /// The closest point, and where it is; its place is not found if there is none.
   std::pair<SurfacePoint, Foot> find(const Vec3& point) const;
   void report_fit();
 
@@ -142,24 +133,23 @@ class LevelSetSurface final : public Surface {
   double edge_;
   std::chrono::steady_clock::time_point start_;
   LevelSetOptions options_;
-  SurfaceSamples samples_;
-  LevelSetFit fit_;
+  FittedField field_;
   std::string name_;
   std::string figures_;
   double range_ = least_range;
 };
 
 bool LevelSetSurface::evaluate(Foot* foot) const {
-  foot->cell = fit_.field.grid().continued(foot->cell, fit_.field.grid().local(foot->y));
-  if (foot->cell >= 0) {
-    foot->field = fit_.field.evaluate(foot->cell, foot->y);
+  foot->place = field_.continued(foot->place, foot->y);
+  if (foot->place.found()) {
+    foot->field = field_.value(foot->place, foot->y);
   }
-  return foot->cell >= 0;
+  return foot->place.found();
 }
 
 bool LevelSetSurface::solve(const Vec3& point, Foot* foot) const {
   constexpr int iterations = 20;
-  const double cell = fit_.field.grid().cell();
+  const double cell = field_.grid().cell();
   const Vec3 start = foot->y;
   double previous = HUGE_VAL;
   for (int i = 0; i < iterations; ++i) {
@@ -218,12 +208,11 @@ std::pair<SurfacePoint, LevelSetSurface::Foot> LevelSetSurface::find(const Vec3&
   if (hit.distance > range_) {
     return {result, foot};
   }
-  const SheetGrid& grid = fit_.field.grid();
-  foot.cell = grid.cell_of(grid.local(hit.point), samples_.nearest(hit.triangle, hit.barycentric));
+  foot.place = field_.place(hit);
   foot.y = hit.point;
   foot.mu = hit.signed_distance;
-  if (foot.cell < 0 || !find_on_sheet(point, &foot, &result)) {
-    foot.cell = -1;
+  if (!foot.place.found() || !find_on_sheet(point, &foot, &result)) {
+    foot.place = {};
   }
   try_other_sheets(point, &foot, &result);
   return {result, foot};
@@ -235,25 +224,24 @@ SurfaceDoubt LevelSetSurface::doubt(const Vec3& point) const {
   if (!at.found) {
     return {};
   }
-  const SplineField::Value change = fit_.doubt.evaluate(foot.cell, foot.y);
+  const SplineField::Value change = field_.doubt(foot.place, foot.y);
   return {change.value / foot.field.gradient.norm(), change_of_weingarten(foot.field, change)};
 }
 
 void LevelSetSurface::try_other_sheets(const Vec3& point, Foot* foot, SurfacePoint* result) const {
-  const SheetGrid& grid = fit_.field.grid();
-  const auto [first, end] = grid.cells_at(grid.local(point));
-  if (end - first < 2) {
+  const auto places = field_.places_at(point);
+  if (places.size() < 2) {
     return;
   }
-  const int same = foot->cell < 0 ? -1 : grid.continued(foot->cell, grid.local(point));
-  for (int c = first; c < end; ++c) {
-    const SplineField::Value field = fit_.field.evaluate(c, point);
+  const auto same = foot->place.found() ? field_.continued(foot->place, point) : FittedField::Place();
+  for (const auto& place : places) {
+    const SplineField::Value field = field_.value(place, point);
     const double distance = field.value / field.gradient.norm();
-    if (c == same || !(std::abs(distance) < std::abs(result->gap))) {
+    if (place == same || !(std::abs(distance) < std::abs(result->gap))) {
       continue;
     }
     Foot there;
-    there.cell = c;
+    there.place = place;
     there.y = point - distance * field.gradient.normalized();
     there.mu = field.value / field.gradient.squaredNorm();
     SurfacePoint other;
@@ -289,9 +277,12 @@ void LevelSetSurface::report_fit() {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
   std::ostringstream text;
   text.precision(3);
-  text << "smooth surface of " << fit_.field.grid().cells().size() << " cells of " << fit_.field.grid().cell() << " mm";
-  if (const int shared = fit_.field.grid().shared_positions(); shared > 0) {
+  text << "smooth surface of " << field_.grid().cells().size() << " cells of " << field_.grid().cell() << " mm";
+  if (const int shared = field_.grid().shared_positions(); shared > 0) {
     text << " (at " << shared << " places one for each sheet)";
+  }
+  if (field_.folds() != nullptr) {
+    text << ", in folds " << field_.folds()->inside() << " of " << field_.folds()->grid().cell() << " mm";
   }
   text << ", smoothing " << options_.smoothing << " (mean edge " << edge_ << " mm), fitted in " << seconds.count()
        << " s; distance to the vertices " << std::sqrt(squares / weight) << " mm root mean square, mean "

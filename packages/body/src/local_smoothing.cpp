@@ -14,11 +14,15 @@ namespace {
 /// doubled; with the angle itself instead of its square facets of the thigh show.
 constexpr double length_by_bend = 0.065;
 constexpr double least_smoothing = 1e-3;  ///< against the modes that no vertex sees
+/// Radians by which normals turn towards each other from one cell to the next, averaged over four: more is too narrow a
+/// fold. Above it lie armpit, crotch and the clefts of a real body, below it the hollows of knee, ankle and waist.
+constexpr double most_hollow = 0.3;
 
 /// Sums over the samples near a cell.
 struct Sums {
   Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  ///< of points and normals
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();   ///< of points
   double edges = 0.0;
   double weight = 0.0;
 
@@ -26,17 +30,19 @@ struct Sums {
     normals += share * other.normals;
     points += share * other.points;
     products += share * other.products;
+    squares += share * other.squares;
     edges += share * other.edges;
     weight += share * other.weight;
   }
-  /// In some direction normals turn towards each other: a fold or a saddle, not a ridge or a tip.
-  bool is_concave() const {
+  /// By how much normals turn towards each other, radians a cell: a fold or a saddle, not a ridge or a tip; 0: nowhere.
+  double hollowness() const {
     constexpr double clearly = 0.01;
     const Eigen::Matrix3d turning = weight * products - points * normals.transpose();
-    const Eigen::Vector3d along =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(turning + turning.transpose(), Eigen::EigenvaluesOnly)
-            .eigenvalues();
-    return along[0] < -clearly * along.cwiseAbs().maxCoeff();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> turn(turning + turning.transpose());
+    if (turn.eigenvalues()[0] >= -clearly * turn.eigenvalues().cwiseAbs().maxCoeff()) return 0.0;
+    const Vec3 across = turn.eigenvectors().col(0);
+    const double spread = across.dot((weight * squares - points * points.transpose()) * across);
+    return -0.5 * turn.eigenvalues()[0] / spread;
   }
 };
 
@@ -57,8 +63,8 @@ std::vector<Sums> sums_at_nodes(const SheetGrid& grid, const SurfaceSamples& sam
     if (at < 0) continue;  // a vertex that no triangle uses
     const auto& cell = grid.cells()[at];
     for_splines(cell, local - Vec3(cell.at[0], cell.at[1], cell.at[2]), [&](int unknown, double weight) {
-      nodes[unknown].add(
-          weight, {samples.normals[s], local, local * samples.normals[s].transpose(), samples.edge_lengths[s], 1.0});
+      nodes[unknown].add(weight, {samples.normals[s], local, local * samples.normals[s].transpose(),
+                                  local * local.transpose(), samples.edge_lengths[s], 1.0});
     });
   }
   return nodes;
@@ -66,23 +72,23 @@ std::vector<Sums> sums_at_nodes(const SheetGrid& grid, const SurfaceSamples& sam
 
 }  // namespace
 
-std::vector<double> local_smoothing(const SheetGrid& grid, const SurfaceSamples& samples, double mean_edge,
-                                    double smoothing) {
+LocalSmoothing local_smoothing(const SheetGrid& grid, const SurfaceSamples& samples, double mean_edge,
+                               double smoothing) {
   const std::vector<Sums> nodes = sums_at_nodes(grid, samples);
-  std::vector<double> result;
-  result.reserve(grid.cells().size());
-  for (const auto& cell : grid.cells()) {
+  const std::size_t cells = grid.cells().size();
+  LocalSmoothing result{std::vector<double>(cells, smoothing), std::vector<char>(cells, 0)};
+  for (std::size_t c = 0; c < cells; ++c) {
     Sums sums;
-    for_splines(cell, Vec3::Constant(0.5), [&](int unknown, double weight) { sums.add(weight, nodes[unknown]); });
-    if (!sums.is_concave()) {
-      result.push_back(smoothing);
-      continue;
-    }
+    for_splines(grid.cells()[c], Vec3::Constant(0.5),
+                [&](int unknown, double weight) { sums.add(weight, nodes[unknown]); });
+    const double hollowness = sums.hollowness();
+    if (hollowness == 0.0) continue;
     // The mean of unit vectors that stray by small angles a from each other is shorter by a^2/2.
     const double bend = std::sqrt(2.0 * std::max(0.0, 1.0 - sums.normals.norm() / sums.weight));
     const double fineness = std::sqrt(sums.edges / sums.weight / mean_edge);
     const double length = length_by_bend * fineness / std::max(bend * bend, 1e-6);
-    result.push_back(std::clamp(std::pow(length, 6) / 3.0, std::min(least_smoothing, smoothing), smoothing));
+    result.weights[c] = std::clamp(std::pow(length, 6) / 3.0, std::min(least_smoothing, smoothing), smoothing);
+    result.narrow[c] = hollowness > most_hollow ? 1 : 0;
   }
   return result;
 }

@@ -6,9 +6,14 @@
 
 namespace toile::body {
 
-/// The weight of the third derivatives in each cell: `smoothing`, and less in folds, which would be flattened, the less
-/// the finer the facets are there beside `mean_edge` (mm); see the README.
-std::vector<double> local_smoothing(const SheetGrid& grid, const SurfaceSamples& samples, double mean_edge,
-                                    double smoothing);
+/// Weight of the third derivatives, and less of it in folds, which would be flattened; see the README.
+struct LocalSmoothing {
+  std::vector<double> weights;  ///< of each cell
+  std::vector<char> narrow;     ///< of each cell: it is too large for the fold in it
+};
+
+/// `smoothing`, and in folds the less the finer the facets are there beside `mean_edge` (mm).
+LocalSmoothing local_smoothing(const SheetGrid& grid, const SurfaceSamples& samples, double mean_edge,
+                               double smoothing);
 
 }  // namespace toile::body

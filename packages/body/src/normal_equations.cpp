@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "dissection.hpp"
 #include "toile/base/error.hpp"
@@ -43,11 +44,16 @@ std::vector<double> solved(cholmod_factor* factor, const std::vector<double>& ri
 
 }  // namespace
 
-NormalEquations::NormalEquations(const SheetGrid& grid)
-    : grid_(grid),
-      right_(grid.unknowns(), 0.0),
-      others_(static_cast<std::size_t>(grid.unknowns()) * stored, -1),
-      values_(others_.size(), 0.0) {}
+NormalEquations::NormalEquations(const SheetGrid& grid, const std::vector<char>& held)
+    : grid_(grid), number_(held.size(), -1) {
+  for (std::size_t u = 0; u < held.size(); ++u) {
+    if (held[u] != 0) continue;
+    number_[u] = static_cast<int>(free_.size());
+    free_.push_back(static_cast<int>(u));
+  }
+  others_.assign(free_.size() * stored, -1);
+  values_.assign(others_.size(), 0.0);
+}
 
 void NormalEquations::add(int a, int b, int offset, double value) {
   const std::size_t place = static_cast<std::size_t>(a) * stored + offset;
@@ -60,20 +66,29 @@ void NormalEquations::add(int a, int b, int offset, double value) {
 }
 
 void NormalEquations::add(int cell, const Matrix64& matrix) {
+  std::array<int, 64> numbers;
   const auto& unknowns = grid_.cells()[cell].unknowns;
+  std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), [this](int u) { return number_[u]; });
   for (int a = 0; a < 64; ++a) {
+    if (numbers[a] < 0) continue;
     for (int b = a; b < 64; ++b) {
+      if (numbers[b] < 0) continue;
       const int offset = ((b / 16 - a / 16) * 7 + b / 4 % 4 - a / 4 % 4) * 7 + b % 4 - a % 4;
-      add(unknowns[a], unknowns[b], offset, matrix(a, b));
+      add(numbers[a], numbers[b], offset, matrix(a, b));
     }
   }
 }
 
-void NormalEquations::add(int cell, const Vector64& right) {
-  const auto& unknowns = grid_.cells()[cell].unknowns;
-  for (int a = 0; a < 64; ++a) {
-    right_[unknowns[a]] += right[a];
-  }
+NormalEquations::Unknowns NormalEquations::of_free(const Unknowns& all) const {
+  Unknowns result(free_.size());
+  for (std::size_t f = 0; f < free_.size(); ++f) result[f] = all[free_[f]];
+  return result;
+}
+
+NormalEquations::Unknowns NormalEquations::of_all(const Unknowns& free) const {
+  Unknowns result(number_.size(), 0.0);
+  for (std::size_t f = 0; f < free_.size(); ++f) result[free_[f]] = free[f];
+  return result;
 }
 
 std::vector<NormalEquations::Extra> NormalEquations::merged_extras() const {
@@ -91,9 +106,9 @@ std::vector<NormalEquations::Extra> NormalEquations::merged_extras() const {
   return merged;
 }
 
-std::array<std::vector<double>, 2> NormalEquations::solve(
-    double ridge, const std::function<std::vector<double>(const std::vector<double>&)>& next) const {
-  const std::size_t n = right_.size();
+std::array<NormalEquations::Unknowns, 2> NormalEquations::solve(
+    double ridge, const Unknowns& right, const std::function<Unknowns(const Unknowns&)>& next) const {
+  const std::size_t n = free_.size();
   const OneThread one_thread;
   cholmod_common common;
   cholmod_start(&common);
@@ -122,14 +137,15 @@ std::array<std::vector<double>, 2> NormalEquations::solve(
     }
   }
   starts[n] = count;
-  std::vector<int> order = dissection_order(grid_);
+  std::vector<int> order = dissection_order(grid_, free_);
+  for (int& unknown : order) unknown = number_[unknown];
   cholmod_factor* factor = cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common);
   cholmod_factorize(matrix, factor, &common);
   const bool good = common.status == CHOLMOD_OK;
-  std::array<std::vector<double>, 2> solutions;
+  std::array<Unknowns, 2> solutions;
   if (good) {
-    solutions[0] = solved(factor, right_, &common);
-    solutions[1] = solved(factor, next(solutions[0]), &common);
+    solutions[0] = of_all(solved(factor, of_free(right), &common));
+    solutions[1] = of_all(solved(factor, of_free(next(solutions[0])), &common));
   }
   cholmod_free_factor(&factor, &common);
   cholmod_free_sparse(&matrix, &common);

@@ -15,14 +15,15 @@ using Vector64 = Eigen::Matrix<double, 64, 1>;
 /// Sparse, symmetric equations for the coefficients of a spline on the cells of a grid.
 class NormalEquations {
  public:
-  explicit NormalEquations(const SheetGrid& grid);
+  /// `held`: marks unknowns that stay zero.
+  NormalEquations(const SheetGrid& grid, const std::vector<char>& held);
 
   void add(int cell, const Matrix64& matrix);
-  void add(int cell, const Vector64& right);
-  /// Solves for what was added as right-hand side, and then for `next(first solution)`, with one factorisation; `ridge`
-  /// is added to the diagonal. Throws InputError if the matrix cannot be factorised.
-  std::array<std::vector<double>, 2> solve(
-      double ridge, const std::function<std::vector<double>(const std::vector<double>&)>& next) const;
+  using Unknowns = std::vector<double>;
+  /// Solves for a right-hand side, and then for `next(first solution)`, with one factorisation; `ridge` is added to the
+  /// diagonal. Throws InputError if the matrix cannot be factorised.
+  std::array<Unknowns, 2> solve(double ridge, const Unknowns& right,
+                                const std::function<Unknowns(const Unknowns&)>& next) const;
 
  private:
   /// Coupling of an unknown with one that is neither itself nor stored in its row of `values_`: where sheets part, two
@@ -34,10 +35,13 @@ class NormalEquations {
   };
   void add(int a, int b, int offset, double value);
   std::vector<Extra> merged_extras() const;
+  Unknowns of_free(const Unknowns& all) const;
+  Unknowns of_all(const Unknowns& free) const;
 
   const SheetGrid& grid_;
-  std::vector<double> right_;
-  std::vector<int> others_;  ///< of each unknown, that at each stored offset; -1: none
+  std::vector<int> free_;    ///< unknowns that are not held; what is stored is theirs, in this order
+  std::vector<int> number_;  ///< of each unknown among them, -1: held
+  std::vector<int> others_;  ///< of each free unknown, that at each stored offset; -1: none
   std::vector<double> values_;
   std::vector<Extra> extras_;
 };

@@ -41,12 +41,35 @@ struct Neighbourhood {
   std::vector<int> others;
 };
 
+/// Round the samples on facets.
+Eigen::AlignedBox3d box_of_facets(const SurfaceSamples& samples, double cell) {
+  std::vector<Vec3> points;
+  points.reserve(2 * samples.links.size());
+  for (const auto& [a, b] : samples.links) {
+    points.push_back(samples.points[a]);
+    points.push_back(samples.points[b]);
+  }
+  return SheetGrid::box_of(points, cell);
+}
+
 }  // namespace
 
 SheetGrid::SheetGrid(const SurfaceSamples& samples, double cell) : cell_(cell) {
-  make_box(samples);
+  make_box(box_of_facets(samples, cell_));
+  make_cells(samples);
+}
+
+SheetGrid::SheetGrid(const SurfaceSamples& samples, const SheetGrid& coarse) : cell_(0.5 * coarse.cell_) {
+  Eigen::AlignedBox3d box = box_of_facets(samples, cell_);
+  const Vec3 corner = coarse.local(box.min()).array().floor();
+  box.extend(Vec3(coarse.origin_ + coarse.cell_ * corner));
+  make_box(box);
+  make_cells(samples);
+}
+
+void SheetGrid::make_cells(const SurfaceSamples& samples) {
   std::vector<Entry> entries = entries_near(samples);
-  make_cells(samples, &entries);
+  part_sheets(samples, &entries);
   number_nodes(neighbours(entries));
   merge_equal_cells(&entries);
   keep_shared(entries);
@@ -64,8 +87,7 @@ Eigen::AlignedBox3d SheetGrid::box_of(const std::vector<Vec3>& points, double ce
   throw base::InputError(text.str());
 }
 
-void SheetGrid::make_box(const SurfaceSamples& samples) {
-  const Eigen::AlignedBox3d box = box_of(samples.points, cell_);
+void SheetGrid::make_box(const Eigen::AlignedBox3d& box) {
   origin_ = box.min() - Vec3::Constant(padding * cell_);
   for (int axis = 0; axis < 3; ++axis) {
     size_[axis] = static_cast<int>(std::floor(box.sizes()[axis] / cell_)) + 1 + 2 * padding;
@@ -104,7 +126,7 @@ std::vector<SheetGrid::Entry> SheetGrid::entries_near(const SurfaceSamples& samp
   return entries;
 }
 
-void SheetGrid::make_cells(const SurfaceSamples& samples, std::vector<Entry>* entries) {
+void SheetGrid::part_sheets(const SurfaceSamples& samples, std::vector<Entry>* entries) {
   first_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2], -1);
   const Neighbourhood neighbourhood(samples);
   std::vector<int> place(samples.size(), -1);  // of a sample among the entries of the position at hand
@@ -118,7 +140,7 @@ void SheetGrid::make_cells(const SurfaceSamples& samples, std::vector<Entry>* en
     for (std::size_t seed = begin; seed < end; ++seed) {
       if ((*entries)[seed].cell >= 0) continue;
       const int cell = static_cast<int>(cells_.size());
-      cells_.push_back({position(here), {}});
+      cells_.push_back({position(here), {}, (*entries)[seed].sample});
       (*entries)[seed].cell = cell;
       for (waiting = {seed}; !waiting.empty();) {
         const int sample = (*entries)[waiting.back()].sample;
@@ -266,7 +288,8 @@ int SheetGrid::cell_of(const Vec3& local, int sample) const {
   return -1;
 }
 
-int SheetGrid::common_nodes(const Cell& a, const Cell& b) const {
+int SheetGrid::common_nodes(int first, int second) const {
+  const Cell &a = cells_[first], &b = cells_[second];
   const int di = a.at[0] - b.at[0], dj = a.at[1] - b.at[1], dk = a.at[2] - b.at[2];
   int count = 0;
   for (int n = 0; n < 64; ++n) {
@@ -281,7 +304,7 @@ int SheetGrid::continued(int cell, const Vec3& local) const {
   const auto [first, end] = cells_at(local);
   int best = -1, most = 0;
   for (int c = first; c < end; ++c) {
-    const int count = c == cell ? 64 : common_nodes(cells_[cell], cells_[c]);
+    const int count = common_nodes(cell, c);
     if (count > most) {
       most = count;
       best = c;

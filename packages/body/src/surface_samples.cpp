@@ -120,6 +120,19 @@ void SurfaceSamples::link_lattices() {
   links.erase(std::unique(links.begin(), links.end()), links.end());
 }
 
+std::vector<SurfaceSamples::Place> SurfaceSamples::places() const {
+  std::vector<Place> result(points.size());
+  for (std::size_t t = 0; t < lattices_.size(); ++t) {
+    const int n = lattices_[t].parts;
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; i + j <= n; ++j) {
+        result[at(lattices_[t], i, j)] = {static_cast<int>(t), Vec3(i, j, n - i - j) / n};
+      }
+    }
+  }
+  return result;
+}
+
 int SurfaceSamples::nearest(int triangle, const Vec3& barycentric) const {
   const Lattice& lattice = lattices_[triangle];
   const int n = lattice.parts;

@@ -17,6 +17,14 @@ class SurfaceSamples {
   /// The sample of the triangle's lattice that is nearest to the point with those barycentric coordinates.
   int nearest(int triangle, const Vec3& barycentric) const;
 
+  /// A place on a facet.
+  struct Place {
+    int triangle = -1;
+    Vec3 barycentric = Vec3::Zero();
+  };
+  /// Where each sample lies, on one of its facets; triangle -1: a vertex that no triangle uses.
+  std::vector<Place> places() const;
+
   std::vector<Vec3> points;               ///< mm
   std::vector<Vec3> normals;              ///< unit, interpolated from the vertex normals; zero for unused vertices
   std::vector<double> edge_lengths;       ///< mean length of the edges of the facets there, interpolated alike, mm

@@ -1,13 +1,10 @@
-#include "fit_level_set.hpp"
+#include "fit_spline.hpp"
 
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
-#include "local_smoothing.hpp"
-#include "mesh_geometry.hpp"
 #include "normal_equations.hpp"
-#include "surface_samples.hpp"
 
 namespace toile::body {
 namespace {
@@ -52,67 +49,65 @@ Matrix64 smoothing_matrix() {
   return k;
 }
 
-struct Datum {
-  Vec3 point;
-  Vec3 normal;
-  double weight = 0.0;            ///< of f^2
-  double weight_of_normal = 0.0;  ///< of |grad f - normal|^2
-};
-
-void add_datum(const SheetGrid& grid, int cell, const Datum& datum, NormalEquations* equations) {
-  const auto& at = grid.cells()[cell].at;
+/// f and its gradient at the datum, lengths in cells, as functions of the cell's coefficients.
+Eigen::Matrix<double, 64, 4> splines_at(const SheetGrid& grid, const LevelSetDatum& datum) {
+  const auto& at = grid.cells()[datum.cell].at;
   const Vec3 t = grid.local(datum.point) - Vec3(at[0], at[1], at[2]);
   const std::array<Eigen::Matrix4d, 3> b{cubic_splines(t[0]), cubic_splines(t[1]), cubic_splines(t[2])};
-  Eigen::Matrix<double, 64, 4> rows;  // f and its gradient as functions of the coefficients
+  Eigen::Matrix<double, 64, 4> rows;
   for (int n = 0; n < 64; ++n) {
     for (int r = 0; r < 4; ++r) {
       rows(n, r) = b[0](r == 1, n / 16) * b[1](r == 2, n / 4 % 4) * b[2](r == 3, n % 4);
     }
   }
-  const Eigen::Vector4d weights(datum.weight, datum.weight_of_normal, datum.weight_of_normal, datum.weight_of_normal);
-  const Eigen::Vector4d wanted(0.0, datum.normal.x(), datum.normal.y(), datum.normal.z());
-  equations->add(cell, Matrix64((rows * weights.asDiagonal()).lazyProduct(rows.transpose())));
-  equations->add(cell, Vector64(rows * weights.cwiseProduct(wanted)));
+  return rows;
+}
+
+Eigen::Vector4d weights_of(const SheetGrid& grid, const LevelSetDatum& datum) {
+  const double weight = datum.area / (grid.cell() * grid.cell());
+  const double of_gradient = datum.has_gradient ? normal_weight * weight : 0.0;
+  return {weight, of_gradient, of_gradient, of_gradient};
+}
+
+/// Lengths in cells.
+Eigen::Vector4d in_cells(const SheetGrid& grid, const Eigen::Vector4d& value_and_gradient) {
+  return {value_and_gradient[0] / grid.cell(), value_and_gradient[1], value_and_gradient[2], value_and_gradient[3]};
 }
 
 }  // namespace
 
-LevelSetFit fit_level_set(const TriangleMesh& mesh, const SurfaceSamples& samples, double cell, double smoothing) {
-  const auto shared = std::make_shared<const SheetGrid>(samples, cell);
+FittedSplines fit_spline(std::shared_ptr<const SheetGrid> shared, const std::vector<LevelSetDatum>& data,
+                         const std::vector<double>& smoothing, double area, const std::vector<char>& held) {
   const SheetGrid& grid = *shared;
-  NormalEquations equations(grid);
-  const auto areas = vertex_areas(mesh);
-  const auto border = border_vertices(mesh);
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / (cell * cell);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const int sample = static_cast<int>(i);
-    const int at = grid.cell_of(grid.local(mesh.vertices[i]), sample);
-    if (at < 0 || areas[i] == 0.0) continue;  // a vertex that no triangle uses
-    const double weight = areas[i] / (cell * cell);
-    // On a border the facets of one side only would tilt the normal.
-    add_datum(grid, at, {mesh.vertices[i], samples.normals[i], weight, border[i] ? 0.0 : normal_weight * weight},
-              &equations);
+  NormalEquations equations(grid, held);
+  std::vector<double> wanted(grid.unknowns(), 0.0), changes(grid.unknowns(), 0.0);
+  const auto add = [&grid](int cell, const Vector64& values, std::vector<double>* right) {
+    for (int a = 0; a < 64; ++a) (*right)[grid.cells()[cell].unknowns[a]] += values[a];
+  };
+  for (const LevelSetDatum& datum : data) {
+    const auto rows = splines_at(grid, datum);
+    const Eigen::Vector4d weights = weights_of(grid, datum);
+    equations.add(datum.cell, Matrix64((rows * weights.asDiagonal()).lazyProduct(rows.transpose())));
+    add(datum.cell, rows * weights.cwiseProduct(in_cells(grid, datum.wanted)), &wanted);
+    add(datum.cell, rows * weights.cwiseProduct(in_cells(grid, datum.change)), &changes);
   }
-  const double layers = static_cast<double>(grid.cells().size()) / area;
+  const double layers = static_cast<double>(grid.cells().size()) / (area / (grid.cell() * grid.cell()));
   const Matrix64 third_derivatives = thickness / layers * smoothing_matrix();
-  const auto weights = local_smoothing(grid, samples, mean_edge_length(mesh), smoothing);
   for (std::size_t c = 0; c < grid.cells().size(); ++c) {
-    equations.add(static_cast<int>(c), Matrix64(weights[c] * third_derivatives));
+    equations.add(static_cast<int>(c), Matrix64(smoothing[c] * third_derivatives));
   }
-  // (D + lambda K) c = b for all lambda, so (D + lambda K) dc/d(log lambda) = -lambda K c.
+  // (D + lambda K) c = b for all lambda, so (D + lambda K) dc/d(log lambda) = db/d(log lambda) - lambda K c.
   const auto by_smoothing = [&](const std::vector<double>& coefficients) {
-    std::vector<double> right(coefficients.size(), 0.0);
+    std::vector<double> right = changes;
     for (std::size_t c = 0; c < grid.cells().size(); ++c) {
-      const auto& unknowns = grid.cells()[c].unknowns;
       Vector64 values;
-      for (int a = 0; a < 64; ++a) values[a] = coefficients[unknowns[a]];
-      const Vector64 product = -doubted * weights[c] * (third_derivatives * values);
-      for (int a = 0; a < 64; ++a) right[unknowns[a]] += product[a];
+      for (int a = 0; a < 64; ++a) values[a] = coefficients[grid.cells()[c].unknowns[a]];
+      add(static_cast<int>(c), -doubted * smoothing[c] * (third_derivatives * values), &right);
     }
     return right;
   };
-  const auto [coefficients, doubts] = equations.solve(ridge, by_smoothing);
-  return {{shared, coefficients}, {shared, doubts}};
+  const auto [values, doubts] = equations.solve(ridge, wanted, by_smoothing);
+  return {{shared, values}, {shared, doubts}};
 }
 
 }  // namespace toile::body
