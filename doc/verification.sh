@@ -32,6 +32,9 @@ section() {  # title, text, test and its arguments
   section "Layers" \
     "Tubes, one over the other, on a cylinder (input/benchmarks/layers.xml): pressure of each of four and their sum against sum T_i/(R + (i - 1/2) t) with the present thickness, in brackets; two to four on free meshes of 4 mm and thick ones, at a level and at a place of the body, with the error that is told there; per area of the skin, sum T_i/R; and what four would press if all lay on the skin." \
     layers_test
+  section "Pressure along lines" \
+    "Lines on the body of a settled sleeve (list Lines): a helix on a cylinder, the shortest way between two places of a cone and an oblique cut of it. Their lengths against those on the developed surface and the perimeter of the ellipse; the pressure at 41 to 73 places along them, which no line of the mesh follows, against the semi-analytic membrane solution, and that error over the told one." \
+    pressure_along_line_test
   section "The shipped leg" \
     "Mean pressure at the hosiery levels over three meshes, of which the last is the shipped one (in brackets what pressure_error says), against a spectral solution that was computed without Toile (test/data/contact/leg_reference.py)." \
     leg_reference_test

@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Compare : public ProgramTest {
  protected:
@@ -61,6 +62,31 @@ TEST_F(Compare, MeasuredInMmhg) {
   EXPECT_THAT(read("run/pressure-compared.csv"), HasSubstr("C,2,0.05,2,0.05,0,yes\n"));
 }
 
+// Each column has its own unit; one quantity in two columns is refused with the line of the titles.
+TEST_F(Compare, UnitsOfColumns) {
+  const Outcome outcome = compare("C,15.00124,0.05\n", "name,pressure [mmHg],scatter [kPa]");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read("run/pressure-compared.csv"), HasSubstr("C,2,0.05,2,0.05,0,yes\n"));
+  std::filesystem::remove(path("run/pressure-compared.csv"));
+  expect_refused(compare("C,2,15,0.05\n", "name,pressure [kPa],pressure [mmHg],scatter [kPa]"),
+                 "measured.csv, line 1: the columns 2 and 3 are both \"pressure\"; keep one of them");
+  expect_refused(compare("C,15 mmHg,0.05\n"), "line 2, column 2 \"pressure\": \"15 mmHg\", expected a finite number");
+}
+
+// Measurements of one place are averaged, with the scatter of all their readings, and that is said: 2.9 and 3.1 +- 0.1
+// are 3 +- 0.1 sqrt(2).
+TEST_F(Compare, PlaceMeasuredTwice) {
+  const Outcome outcome = compare("B,2.9,0.1\nC,2.02,0\nB,3.1,0.1\n");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("note: \"B\" was measured 2 times (lines 2, 4): compared is the mean"));
+  EXPECT_THAT(read("run/pressure-compared.csv"),
+              HasSubstr("\nB,3,0.1414213562,3,0.1,0,yes\nC,2.02,0,2,0.05,-0.02,yes\n"));
+  std::filesystem::remove(path("run/pressure-compared.csv"));
+  expect_refused(
+      compare("B,1,2,3,2.9,0.1\nB,1,2,4,3.1,0.1\n", "name,x [mm],y [mm],z [mm],pressure [kPa],scatter [kPa]"),
+      "measured.csv: \"B\" has several positions (lines 2, 3); give each place a name of its own");
+}
+
 // Bad input is refused with what is wrong, where, and what is allowed.
 TEST_F(Compare, BadInput) {
   expect_refused(compare("BB,2.8,0.1\n"), "measured.csv: \"BB\" is no level or point of the run in run");
@@ -86,6 +112,15 @@ TEST_F(Compare, Positions) {
   EXPECT_THAT(read("compared/pressure-compared.csv"),
               AllOf(HasSubstr("name,x [mm],y [mm],z [mm],measured [kPa]"),
                     HasSubstr("sensor 1,0,61.5,101,1.0931,0.01,1.09"), HasSubstr("foot,60,0,20,0,0,0,0,0,yes")));
+  EXPECT_THAT(outcome.out, HasSubstr("note: no fabric lies at \"foot\", so 0 is computed there"));
+  // The hem is held at a height of 60 mm: within a facet of the body, of 5 mm, nothing presses below and all above it.
+  write("measured.csv", titles + "above,0,60,60.5,1.0931,0.01\nbelow,0,60,59.5,0,0\n");
+  const Outcome hem = toile("compare sleeve measured.csv --output compared");
+  EXPECT_EQ(hem.status, 0) << hem.err;
+  EXPECT_THAT(hem.out, HasSubstr("note: no fabric lies at \"below\""));
+  EXPECT_THAT(hem.out, Not(HasSubstr("\"above\"")));
+  EXPECT_THAT(read("compared/pressure-compared.csv"),
+              AllOf(HasSubstr("above,0,60,60.5,1.0931,0.01,1.09"), HasSubstr("below,0,60,59.5,0,0,0,0,0,yes")));
   write("measured.csv", titles + "sensor 1,0,90,101,1.0931,0.01\n");
   EXPECT_THAT(
       toile("compare sleeve measured.csv").err,

@@ -3,7 +3,6 @@
 
 #include "app/program.hpp"
 #include "toile/base/csv_file.hpp"
-#include "toile/scene/tester.hpp"
 
 namespace toile::test {
 namespace {
@@ -26,13 +25,6 @@ const std::string sensor = R"(<ParameterList name="Testers"><ParameterList name=
   <Parameter name="type" type="string" value="rigid sensor"/><Parameter name="level" type="string" value="middle"/>
   <Parameter name="width" type="double" value="20"/><Parameter name="height" type="double" value="1"/>
   </ParameterList></ParameterList>)";
-
-// A rigid sensor on a limb of radius 40 mm reads 2.26 times the pressure under 9.5 x 0.2 mm and 1.45 times under 50 x 1
-// mm.
-TEST(RigidSensor, ReadsMoreThanTheFabricPresses) {
-  EXPECT_NEAR((scene::RigidSensor{"", 9.5, 0.2}.ratio(40.0)), 2.26, 0.005);
-  EXPECT_NEAR((scene::RigidSensor{"", 50.0, 1.0}.ratio(40.0)), 1.45, 0.005);
-}
 
 // Flat jaws that stretch a sleeve's fabric as a cylinder of 60 mm does, along it as well, read what it presses with
 // there.

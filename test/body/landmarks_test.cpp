@@ -128,6 +128,16 @@ TEST(Landmarks, OtherStance) {
               HasSubstr("the body is longer along y (1580 mm) than it is high (382.2 mm), as if it lay"));
 }
 
+// A body whose trunk is as deep as it is wide is taken to look towards -y, and that is said; of another it is not.
+TEST(Landmarks, RoundTrunk) {
+  EXPECT_TRUE(shipped_landmarks().warnings.empty());
+  const Landmarks round = body::find_landmarks(moved([](const Vec3& v) { return Vec3(v.x(), 1.55 * v.y(), v.z()); }));
+  ASSERT_EQ(round.warnings.size(), 1u);
+  EXPECT_THAT(round.warnings.front(), HasSubstr("which way it looks cannot be told"));
+  EXPECT_GT(round.at("left bust point").point.x(), 0.0);
+  EXPECT_LT(round.at("left bust point").point.y(), round.at("left shoulder blade").point.y());
+}
+
 // A body that looks elsewhere is refused with where its feet point.
 TEST(Landmarks, OtherFront) {
   EXPECT_THAT(refusal([] { body::find_landmarks(moved([](const Vec3& v) { return Vec3(-v.x(), -v.y(), v.z()); })); }),

@@ -115,6 +115,46 @@ TEST_F(BadPattern, NamesThatAreNotThere) {
   EXPECT_THAT(toile("check fabric.xml").err, HasSubstr("did you mean \"knit\"?"));
 }
 
+// So is every name of an edge: of seams, supports, loads, points and distances.
+TEST_F(BadPattern, EdgesThatAreNotThere) {
+  write_tube(170.0);
+  write_tube_scene();
+  std::filesystem::remove(path("column.obj"));
+  const std::string scene = read("tube.xml");
+  const auto said = [&](const std::string& list, const std::string& content) {
+    std::string other = scene;
+    const std::string open = "<ParameterList name=\"" + list + "\">";
+    if (const std::size_t at = scene.find(open); at != std::string::npos)
+      other.insert(at + open.size(), content);
+    else
+      other.insert(scene.rfind("</"), open + content + "</ParameterList>");
+    write("edge.xml", other);
+    return toile("check edge.xml").err;
+  };
+  const auto entry = [](const std::string& parameters) {
+    return "<ParameterList name=\"one\">" + parameters + "</ParameterList>";
+  };
+  const auto word = [](const std::string& name, const std::string& value) {
+    return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
+  };
+  const std::string on = R"xml(<Parameter name="on" type="Array(string)" value="{front.edgge0}"/>)xml",
+                    traction = R"xml(<Parameter name="traction" type="Array(double)" value="{0, 0, 1}"/>)xml",
+                    points = "<ParameterList name=\"Points\">", distances = "<ParameterList name=\"Distances\">";
+  const auto expect_near = [](const std::string& message, const std::string& where) {
+    EXPECT_THAT(message, AllOf(HasSubstr("edge.xml: scene > " + where), HasSubstr("front.edgge0"),
+                               HasSubstr("did you mean \"front.edge0\"?")));
+  };
+  expect_near(said("Supports", entry(on + word("hold", "z"))), "Supports > one: parameter \"on\"");
+  expect_near(said("Seams", entry(word("first", "front.edgge0") + word("second", "back.edge3"))),
+              "Seams > one: parameter \"first\"");
+  expect_near(said("Loads", entry(word("on", "front.edgge0") + traction)), "Loads > one: parameter \"on\"");
+  expect_near(said("Output", points + entry(word("on", "front.edgge0@0.5")) + "</ParameterList>"),
+              "Output > Points > one: parameter \"on\"");
+  expect_near(said("Output", distances + entry(word("first", "front.edgge0") + word("second", "back.edge3")) +
+                                 "</ParameterList>"),
+              "Output > Distances > one: parameter \"first\"");
+}
+
 // Elements wider than a panel, a level beside the garment and a weight that no fabric has are told before anything is
 // solved.
 TEST_F(BadPattern, NumbersThatCannotBe) {

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -7,6 +8,7 @@ namespace toile::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A band round the left thigh of the shipped body, whose places are landmarks or numbers.
 class LandmarkScene : public ProgramTest {
@@ -105,6 +107,30 @@ TEST_F(LandmarkScene, Lines) {
   expect_refused("(96.9978, -40.3787, 728.273) does not lie on the body's skin");
   write_line(word("type", "shortest way") + array("through", "string", "left thigh, left nee"));
   expect_refused("no landmark is named \"left nee\"; did you mean \"left knee\"?");
+}
+
+// A scene that names landmarks of a body whose trunk is round says that its front is taken for granted; one that names
+// none does not.
+TEST_F(LandmarkScene, OfARoundBody) {
+  std::ifstream shipped(TOILE_SOURCE_DIR "/input/bodies/female_body.obj");
+  std::ostringstream deeper;
+  for (std::string line; std::getline(shipped, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    double x = 0.0, y = 0.0, z = 0.0;
+    if (words >> kind && kind == "v" && words >> x >> y >> z)
+      deeper << "v " << x << ' ' << 1.55 * y << ' ' << z << '\n';
+    else
+      deeper << line << '\n';
+  }
+  write("round.obj", deeper.str());
+  const std::string body = word("type", "file") + word("file", "round.obj"), level = number("height", 668.0);
+  const std::string at_thigh =
+      array("axis bottom", "double", "100, -60, 0") + array("axis top", "double", "100, -60, 1");
+  write_band(word("from", "left thigh - 90") + word("to", "left thigh - 30"), at_thigh, level, "", body);
+  EXPECT_THAT(toile("check scene.xml").err, HasSubstr("which way it looks cannot be told from it"));
+  write_band(number("from", 638.0) + number("to", 698.0), at_thigh, level, "", body);
+  EXPECT_THAT(toile("check scene.xml").err, Not(HasSubstr("which way it looks")));
 }
 
 // A name that is none, a landmark without a body from a file, and a height along a bent axis are refused with the list,

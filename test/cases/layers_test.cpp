@@ -30,7 +30,7 @@ class Layers : public ProgramTest {
   }
 };
 
-// Layers that are told to lie over each other are not warned of.
+// Layers that are told to lie over each other are not warned of, neither at the start nor at the end.
 TEST_F(Layers, AreTold) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -44,6 +44,22 @@ TEST_F(Layers, AreWarnedOfWithoutOver) {
   EXPECT_THAT(outcome.err, HasSubstr("panels \"layer 3\" and \"layer 4\" lie over each other on 100 % of \"layer"));
   EXPECT_THAT(outcome.err, HasSubstr("its \"over\": \"layer 4\" names \"layer 3\", or \"layer 3\" names \"layer 4\""));
   EXPECT_THAT(outcome.err, Not(HasSubstr("panels \"layer 1\" and \"layer 3\"")));
+}
+
+// Those that start over each other are warned of before anything is solved; those that start beside each other, or off
+// the body, are not.
+TEST_F(Layers, AreWarnedOfAtTheStart) {
+  const auto said = [&](const std::string& panel) {
+    write("scene.xml",
+          list("scene", parameter("include", "Array(string)", "{" TOILE_SOURCE_DIR "/input/benchmarks/layers.xml}") +
+                            list("Panels", list("layer 4", over("") + list("Placement", panel)))));
+    return toile("check scene.xml").err;
+  };
+  EXPECT_THAT(said(""),
+              HasSubstr("panels \"layer 3\" and \"layer 4\" lie over each other on 100 % of \"layer 4\" where "
+                        "they start"));
+  EXPECT_THAT(said(parameter("from", "double", "60") + parameter("to", "double", "96")), Not(HasSubstr("over each")));
+  EXPECT_THAT(said(parameter("offset", "double", "6")), Not(HasSubstr("over each")));
 }
 
 // A layer that reaches far beyond what it lies over is warned of, with the part that lies on it.

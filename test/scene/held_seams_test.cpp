@@ -22,7 +22,7 @@ StartReport look(const ParameterList& list) {
   const base::List valid = base::validate(list, scene_spec(), "scene.xml");
   base::Timer timer;
   const Scene scene(valid, 1, timer);
-  return look_at_start(scene, valid);
+  return look_at_start(scene, valid, solve::compute_fields(scene.problem(), scene.start()));
 }
 
 // A support that holds both ends of a seam apart is refused, with the names of both, the way and the nodes.

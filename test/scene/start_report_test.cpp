@@ -16,7 +16,7 @@ StartReport look(const ParameterList& list) {
   const base::List valid = base::validate(list, scene_spec(), "scene.xml");
   base::Timer timer;
   const Scene scene(valid, 1, timer);
-  return look_at_start(scene, valid);
+  return look_at_start(scene, valid, solve::compute_fields(scene.problem(), scene.start()));
 }
 
 /// The tube, sewn in a stage.

@@ -34,6 +34,10 @@ body::Import read_body(const BodyFileArguments& arguments) {
   return import;
 }
 
+void tell_warnings(const body::Landmarks& landmarks) {
+  for (const std::string& text : landmarks.warnings) std::cerr << "toile: warning: " << text << std::endl;
+}
+
 std::string text_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toile/body/import.hpp"
+#include "toile/body/landmarks.hpp"
 
 namespace toile::app {
 
@@ -20,6 +21,9 @@ struct BodyFileArguments {
 void add_body_file(CLI::App* command, BodyFileArguments& arguments);
 /// Reads it; what was repaired is told on the standard error. Throws InputError.
 body::Import read_body(const BodyFileArguments& arguments);
+
+/// What the search for landmarks had to take for granted, on the standard error.
+void tell_warnings(const body::Landmarks& landmarks);
 
 /// Rows of cells, the first of them the head; the first column is set to the left, all others to the right.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);

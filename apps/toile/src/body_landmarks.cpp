@@ -30,6 +30,7 @@ void print(const body::Landmarks& landmarks) {
   for (const body::MissingLandmark& l : landmarks.missing)
     std::cout << "not found: " << l.name << ": " << l.reason << '\n';
   std::cout << std::flush;
+  tell_warnings(landmarks);
 }
 
 void write_json(const body::Landmarks& landmarks, const std::string& file) {

@@ -78,7 +78,10 @@ class Measured {
       place.point = place.is_height ? Vec3(0.0, 0.0, values->front()) : Vec3((*values)[0], (*values)[1], (*values)[2]);
       return place;
     }
-    if (!landmarks_) landmarks_ = body::find_landmarks(mesh_, file_);
+    if (!landmarks_) {
+      landmarks_ = body::find_landmarks(mesh_, file_);
+      tell_warnings(*landmarks_);
+    }
     const body::Landmark landmark = landmarks_->place(text);
     place.point = landmark.point;
     if (!landmark.normal.isZero()) place.normal = landmark.normal;

@@ -129,7 +129,10 @@ int compare(const CompareArguments& arguments) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw base::InputError("cannot make the folder '" + folder + "': " + error.message());
-  std::cout << comparison.text() << std::flush;
+  std::cout << comparison.text();
+  for (const Pressures* of : {&measured.pressures, &computed})
+    for (const std::string& note : of->notes) std::cout << "note: " << note << "\n";
+  std::cout << std::flush;
   result::write_csv(folder + "/" + compared_name + ".csv", comparison.table());
   if (const auto warning = result::write_plot(folder, compared_name, comparison.plot()))
     std::cerr << "toile: warning: " << *warning << std::endl;
@@ -147,7 +150,7 @@ void add_compare(CLI::App& program, Chosen& chosen) {
   command->add_option("results", arguments->results, "Folder of the run")->required()->type_name("DIR");
   command
       ->add_option("measured", arguments->measured,
-                   "CSV file with the columns name, pressure and scatter, both [kPa] or [mmHg]; the names are levels "
+                   "CSV file with the columns name, pressure and scatter, each [kPa] or [mmHg]; the names are levels "
                    "or points of the scene, or there are columns x [mm], y [mm], z [mm] of places on the body")
       ->required()
       ->type_name("FILE");

@@ -1,9 +1,11 @@
 #include "measured.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <numeric>
 #include <sstream>
-#include <tuple>
 #include <utility>
 
 #include "toile/base/csv_file.hpp"
@@ -11,6 +13,7 @@
 #include "toile/base/parameters.hpp"
 #include "toile/base/units.hpp"
 #include "toile/body/triangle_tree.hpp"
+#include "toile/result/body_map.hpp"
 #include "toile/result/results_file.hpp"
 
 namespace toile::app {
@@ -75,6 +78,68 @@ std::vector<std::array<double, 3>> positions_of(const CsvFile& file) {
   return positions;
 }
 
+/// A measured quantity in several units, or twice in one, could mean several things.
+void refuse_several(const CsvFile& file) {
+  for (const CsvColumn& one : file.columns)
+    for (const CsvColumn& other : file.columns)
+      if (one.number < other.number && one.name == other.name)
+        throw base::InputError(file.path + ", line " + std::to_string(file.title_line) + ": the columns " +
+                               std::to_string(one.number) + " and " + std::to_string(other.number) + " are both \"" +
+                               one.name + "\"; keep one of them");
+}
+
+/// Rows of one place.
+struct Repeated {
+  std::vector<std::size_t> rows;
+  std::string lines;  ///< "2, 5"
+};
+
+std::vector<Repeated> places_of(const MeasuredPlaces& rows, const CsvFile& file) {
+  const std::vector<std::string>& names = rows.pressures.names;
+  std::vector<Repeated> places;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto same = [&](const Repeated& place) { return names[place.rows.front()] == names[i]; };
+    const auto at = std::find_if(places.begin(), places.end(), same);
+    if (at == places.end()) {
+      places.push_back({{i}, std::to_string(file.lines[i])});
+      continue;
+    }
+    at->rows.push_back(i);
+    at->lines += ", " + std::to_string(file.lines[i]);
+    if (!rows.positions.empty() && rows.positions[i] != rows.positions[at->rows.front()])
+      throw base::InputError(file.path + ": \"" + names[i] + "\" has several positions (lines " + at->lines +
+                             "); give each place a name of its own");
+  }
+  return places;
+}
+
+/// One row a place.
+MeasuredPlaces averaged(const MeasuredPlaces& rows, const CsvFile& file) {
+  MeasuredPlaces all{rows.path, {}, {}};
+  for (const Repeated& place : places_of(rows, file)) {
+    const auto count = static_cast<double>(place.rows.size());
+    double mean = 0.0, squares = 0.0;
+    for (const std::size_t i : place.rows) mean += rows.pressures.values[i] / count;
+    for (const std::size_t i : place.rows)
+      squares += (std::pow(rows.pressures.errors[i], 2) + std::pow(rows.pressures.values[i] - mean, 2)) / count;
+    const std::size_t first = place.rows.front();
+    const bool once = place.rows.size() == 1;
+    all.pressures.names.push_back(rows.pressures.names[first]);
+    all.pressures.values.push_back(once ? rows.pressures.values[first] : mean);
+    all.pressures.errors.push_back(once ? rows.pressures.errors[first] : std::sqrt(squares));
+    if (!rows.positions.empty()) all.positions.push_back(rows.positions[first]);
+    if (!once)
+      all.pressures.notes.push_back("\"" + rows.pressures.names[first] + "\" was measured " +
+                                    std::to_string(place.rows.size()) + " times (lines " + place.lines +
+                                    "): compared is the mean, with the scatter of all together");
+  }
+  return all;
+}
+
+std::string no_fabric(const std::string& name) {
+  return "no fabric lies at \"" + name + "\", so 0 is computed there";
+}
+
 /// The row of that number alone, so that an empty cell elsewhere does no harm.
 CsvFile only_row(CsvFile file, std::size_t row) {
   file.lines = {file.lines[row]};
@@ -114,6 +179,7 @@ Pressures by_name(const MeasuredPlaces& measured, const std::string& folder) {
       computed.names.push_back(name);
       computed.values.push_back(kilopascals(row, column(row, result->pressure)).front());
       computed.errors.push_back(kilopascals(row, column(row, result->error)).front());
+      if (has_column(row, "gap") && column(row, "gap").cells.front().empty()) computed.notes.push_back(no_fabric(name));
     }
   }
   return computed;
@@ -122,15 +188,19 @@ Pressures by_name(const MeasuredPlaces& measured, const std::string& folder) {
 const std::vector<double>& nodal_field(const result::Results& results, const std::string& name,
                                        const std::string& path) {
   for (const result::FieldValues& field : results.nodal)
-    if (field.name.name == name && field.name.unit == "kPa") return field.values;
+    if (field.name.name == name) return field.values;
   throw base::InputError(path + ": holds no \"" + name + "\"");
+}
+
+/// Of the last step.
+body::Vec3 position_of(const result::Results& results, std::size_t node) {
+  return {results.position[0][node], results.position[1][node], results.position[2][node]};
 }
 
 body::TriangleMesh body_of(const result::Results& results) {
   body::TriangleMesh mesh;
-  const auto& [x, y, z] = std::tie(results.position[0], results.position[1], results.position[2]);
-  for (std::size_t n = static_cast<std::size_t>(results.garment_nodes); n < x.size(); ++n)
-    mesh.vertices.emplace_back(x[n], y[n], z[n]);
+  for (std::size_t n = static_cast<std::size_t>(results.garment_nodes); n < results.position[0].size(); ++n)
+    mesh.vertices.push_back(position_of(results, n));
   const std::vector<int>& corners = results.body.front().connectivity;
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
     mesh.triangles.push_back({corners[t] - results.garment_nodes, corners[t + 1] - results.garment_nodes,
@@ -138,17 +208,56 @@ body::TriangleMesh body_of(const result::Results& results) {
   return mesh;
 }
 
-/// On the facets that show the body, between whose corners the pressure is linear.
-Pressures by_position(const MeasuredPlaces& measured, const std::string& folder) {
+/// The garment's elements, as far as a BodyMap asks for them.
+mesh::Mesh mesh_of(const result::Results& results) {
+  mesh::Mesh mesh;
+  mesh.pattern.assign(static_cast<std::size_t>(results.garment_nodes), mesh::Vec2::Zero());
+  for (const result::ResultsBlock& panel : results.garment) {
+    mesh.blocks.emplace_back();
+    mesh.blocks.back().nodes_per_element = panel.nodes_per_element;
+    mesh.blocks.back().connectivity = panel.connectivity;
+  }
+  return mesh;
+}
+
+/// [node] the first of those that lie at the same place: a closed seam ties them.
+std::vector<int> tied(const std::vector<body::Vec3>& position) {
+  constexpr double same = 1e-6;  // mm
+  std::map<std::array<long, 3>, int> first;
+  std::vector<int> tied;
+  for (const body::Vec3& x : position)
+    tied.push_back(first
+                       .try_emplace({std::lround(x[0] / same), std::lround(x[1] / same), std::lround(x[2] / same)},
+                                    static_cast<int>(tied.size()))
+                       .first->second);
+  return tied;
+}
+
+result::GarmentOnBody garment_of(const result::Results& results, const mesh::Mesh& mesh, const std::string& path) {
+  result::GarmentOnBody garment;
+  garment.mesh = &mesh;
+  garment.distance = nodal_field(results, "gap", path);
+  garment.distance.resize(static_cast<std::size_t>(results.garment_nodes));
+  const std::array<const std::vector<double>*, 3> normal = {&nodal_field(results, "normal_x", path),
+                                                            &nodal_field(results, "normal_y", path),
+                                                            &nodal_field(results, "normal_z", path)};
+  for (std::size_t n = 0; n < garment.distance.size(); ++n) {
+    garment.position.push_back(position_of(results, n));
+    garment.normal.emplace_back((*normal[0])[n], (*normal[1])[n], (*normal[2])[n]);
+  }
+  garment.tied = tied(garment.position);
+  return garment;
+}
+
+/// Where the positions lie on the facets that show the body.
+struct OnSkin {
+  std::vector<body::Vec3> points, normals;
+};
+
+OnSkin on_skin(const MeasuredPlaces& measured, const result::Results& results) {
   constexpr double near = 20.0;  // mm
-  const std::string path = (std::filesystem::path(folder) / "results.exo").string();
-  const result::Results results = result::read_results(path);
-  if (results.body.empty()) throw base::InputError(path + ": the scene has no body, so there is no pressure");
-  const std::vector<double>&pressure = nodal_field(results, "pressure", path),
-        &error = nodal_field(results, "pressure_error", path);
-  const body::TriangleMesh mesh = body_of(results);
-  const body::TriangleTree tree(mesh);
-  Pressures computed;
+  const body::TriangleTree tree(body_of(results));
+  OnSkin skin;
   for (std::size_t i = 0; i < measured.positions.size(); ++i) {
     const auto& [x, y, z] = measured.positions[i];
     const body::TriangleTree::Hit hit = tree.closest({x, y, z});
@@ -159,18 +268,26 @@ Pressures by_position(const MeasuredPlaces& measured, const std::string& folder)
            << ") lies " << hit.distance << " mm from the body's skin; allowed are " << near << " mm";
       throw base::InputError(text.str());
     }
-    double value = 0.0, its_error = 0.0;
-    const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(hit.triangle)];
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t node = static_cast<std::size_t>(results.garment_nodes) +
-                               static_cast<std::size_t>(corners[static_cast<std::size_t>(k)]);
-      value += hit.barycentric[k] * pressure[node];
-      its_error += hit.barycentric[k] * error[node];
-    }
-    computed.names.push_back(measured.pressures.names[i]);
-    computed.values.push_back(value);
-    computed.errors.push_back(its_error);
+    skin.points.push_back(hit.point);
+    skin.normals.push_back(hit.pseudo_normal);
   }
+  return skin;
+}
+
+/// Of the fabric itself: what the body's facets show beside a hem is spread over their width.
+Pressures by_position(const MeasuredPlaces& measured, const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "results.exo").string();
+  const result::Results results = result::read_results(path);
+  if (results.body.empty()) throw base::InputError(path + ": the scene has no body, so there is no pressure");
+  const OnSkin skin = on_skin(measured, results);
+  const mesh::Mesh mesh = mesh_of(results);
+  const result::GarmentOnBody garment = garment_of(results, mesh, path);
+  const result::BodyMap map(garment, skin.points, skin.normals);
+  Pressures computed{measured.pressures.names, map.map(nodal_field(results, "pressure", path)),
+                     map.map(nodal_field(results, "pressure_error", path))};
+  const std::vector<double> layers = map.map(std::vector<double>(garment.position.size(), 1.0));
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (!(layers[i] > 0.5)) computed.notes.push_back(no_fabric(computed.names[i]));
   return computed;
 }
 
@@ -178,13 +295,14 @@ Pressures by_position(const MeasuredPlaces& measured, const std::string& folder)
 
 MeasuredPlaces read_measured(const std::string& path) {
   const CsvFile file = base::read_csv(path);
+  refuse_several(file);
   const CsvColumn &pressure = column(file, "pressure"), &scatter = column(file, "scatter");
   MeasuredPlaces measured{
       path, {column(file, "name").cells, kilopascals(file, pressure), kilopascals(file, scatter)}, positions_of(file)};
   if (measured.pressures.names.empty()) throw base::InputError(path + ": no pressure follows the line of titles");
   refuse_negative(file, pressure, measured.pressures.values);
   refuse_negative(file, scatter, measured.pressures.errors);
-  return measured;
+  return averaged(measured, file);
 }
 
 Pressures computed_at(const MeasuredPlaces& measured, const std::string& folder) {

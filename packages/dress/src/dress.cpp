@@ -127,6 +127,7 @@ class Dressing {
     }
     lines.push_back("tightest: " + place_of(dressed.tightest) + ", " + ease_of(dressed.tightest) + "; " +
                     scale_text(dressed));
+    for (const std::string& text : wearer_.warnings()) lines.push_back("warning: " + text);
     constexpr double loose = 1.1;  // width of a garment, over the body's, that nothing holds in shape
     if (dressed.tightest.stretch() * loose < 1.0)
       lines.push_back(

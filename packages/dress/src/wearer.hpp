@@ -24,6 +24,8 @@ class Wearer {
   /// From the axes of patterns to those of the body's file: z up, the front towards -y.
   static Vec3 in_space(const Vec3& at) { return {at.x(), -at.z(), at.y()}; }
 
+  /// What the search for its landmarks had to take for granted.
+  const std::vector<std::string>& warnings() const { return landmarks_.warnings; }
   double middle() const { return middle_; }  ///< x of its plane of symmetry
   double lower() const { return lower_; }    ///< of y
   double upper() const { return upper_; }

@@ -110,15 +110,13 @@ std::vector<Counted> counted(const Record& record) {
   for (const result::LevelRow& row : record.pressure().levels)
     if (wanted(row.name) && row.reached()) all.push_back(counted_of(row.title(), row.pressure_mean, row.error_parts));
   const solve::Fields& fields = record.fields();
-  for (const scene::Point& point : scene.output().points) {
-    if (!wanted(point.title)) continue;
-    const PointPressure at = pressure_at(scene, fields, point.node);
-    all.push_back(counted_of(point.title, at.pressure, at.error_parts));
-  }
-  const std::vector<PointPressure> on_body = body_pressures(scene, scene.output().body_points, fields, record.last());
-  for (size_t p = 0; p < on_body.size(); ++p)
-    if (const std::string& title = scene.output().body_points[p].title; wanted(title))
-      all.push_back(counted_of(title, on_body[p].pressure, on_body[p].error_parts));
+  const auto add = [&](const auto& points, const std::vector<PointPressure>& at) {
+    for (size_t p = 0; p < points.size(); ++p)
+      if (wanted(points[p].title)) all.push_back(counted_of(points[p].title, at[p].pressure, at[p].error_parts));
+  };
+  const scene::Output& output = scene.output();
+  add(output.points, point_pressures(scene, output.points, fields));
+  add(output.body_points, body_pressures(scene, output.body_points, fields, record.last()));
   all.erase(std::remove_if(all.begin(), all.end(), [](const Counted& c) { return !(c.pressure > 0.0); }), all.end());
   return all;
 }

@@ -72,7 +72,7 @@ class Steps {
                                           const solve::StepReport& report) const {
     const auto presses = [](double force) { return force > 0.0; };
     if (std::none_of(fields.contact_force.begin(), fields.contact_force.end(), presses)) return std::nullopt;
-    return result::BodyMap(on_body(problem, fields, report), body_.mesh);
+    return result::BodyMap(on_body(problem, fields, report.seam), body_.mesh);
   }
 
   result::ShownBody body_;

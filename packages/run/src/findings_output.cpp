@@ -95,13 +95,17 @@ std::string level_table(const std::vector<result::LevelRow>& levels) {
 std::string point_table(const scene::Scene& scene, const solve::Fields& fields,
                         const std::vector<PointPressure>& on_body) {
   std::vector<std::vector<std::string>> rows = {{"point", "mmHg", "kPa", "error by, kPa", "gap mm"}};
-  const auto add = [&](const std::string& title, const PointPressure& at) {
-    rows.push_back({title, with_error(base::mpa_to_mmhg(at.pressure), base::mpa_to_mmhg(at.error)),
-                    number("%.3g", base::mpa_to_kpa(at.pressure)), parts_of_error(at.error_parts),
-                    at.gap ? number("%.2f", *at.gap) : "no fabric"});
+  const auto add = [&](const auto& points, const std::vector<PointPressure>& pressures) {
+    for (size_t p = 0; p < points.size(); ++p) {
+      const PointPressure& at = pressures[p];
+      rows.push_back({points[p].title, with_error(base::mpa_to_mmhg(at.pressure), base::mpa_to_mmhg(at.error)),
+                      number("%.3g", base::mpa_to_kpa(at.pressure)), parts_of_error(at.error_parts),
+                      at.gap ? number("%.2f", *at.gap) : "no fabric"});
+    }
   };
-  for (const scene::Point& point : scene.output().points) add(point.title, pressure_at(scene, fields, point.node));
-  for (size_t p = 0; p < on_body.size(); ++p) add(scene.output().body_points[p].title, on_body[p]);
+  const scene::Output& output = scene.output();
+  add(output.points, point_pressures(scene, output.points, fields));
+  add(output.body_points, on_body);
   return "Pressure at the points +- its error\n" + columns(rows);
 }
 

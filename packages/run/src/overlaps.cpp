@@ -20,8 +20,12 @@ struct Place {
   Vec3 normal = Vec3::Zero();
 };
 
-bool touches(const solve::Fields& fields, int node) {
-  return fields.pressure[node] > 0.0 || fields.contact_force[node] > 0.0;
+/// [node] whether it touches the body.
+std::vector<bool> touching_nodes(const solve::Fields& fields) {
+  std::vector<bool> touches;
+  for (size_t n = 0; n < fields.position.size(); ++n)
+    touches.push_back(fields.pressure[n] > 0.0 || fields.contact_force[n] > 0.0);
+  return touches;
 }
 
 /// The elements in contact, and the area of all elements of each panel.
@@ -30,23 +34,24 @@ struct Places {
   std::vector<double> area;  ///< [panel] mm^2
 };
 
-Places places(const mesh::Mesh& mesh, const solve::Fields& fields) {
+Places places(const result::GarmentOnBody& garment, const std::vector<bool>& touches) {
+  const std::vector<Vec3>& position = garment.position;
   Places all;
-  all.area.assign(mesh.panels.size(), 0.0);
-  for (const mesh::Block& block : mesh.blocks) {
+  all.area.assign(garment.mesh->panels.size(), 0.0);
+  for (const mesh::Block& block : garment.mesh->blocks) {
     const auto per = static_cast<size_t>(block.nodes_per_element);
     for (size_t first = 0; first < block.connectivity.size(); first += per) {
       const int* node = &block.connectivity[first];
       Place place;
       place.panel = block.panel;
-      const Vec3 across = fields.position[node[2]] - fields.position[node[0]];
-      place.area = 0.5 * across.cross(fields.position[node[per - 1]] - fields.position[node[1]]).norm();
+      const Vec3 across = position[node[2]] - position[node[0]];
+      place.area = 0.5 * across.cross(position[node[per - 1]] - position[node[1]]).norm();
       all.area[block.panel] += place.area;
-      if (!std::all_of(node, node + per, [&](int n) { return touches(fields, n); })) continue;
+      if (!std::all_of(node, node + per, [&](int n) { return touches[n]; })) continue;
       for (size_t i = 0; i < per; ++i) {
         const int n = node[i];
-        place.on_body += (fields.position[n] - (fields.gap[n] + fields.offset[n]) * fields.normal[n]) / per;
-        place.normal += fields.normal[n];
+        place.on_body += (position[n] - garment.distance[n] * garment.normal[n]) / per;
+        place.normal += garment.normal[n];
       }
       place.normal.normalize();
       all.touching.push_back(place);
@@ -55,20 +60,20 @@ Places places(const mesh::Mesh& mesh, const solve::Fields& fields) {
   return all;
 }
 
-/// What lies over the body where the fabric of a state touches it.
+/// What lies over the body where the fabric touches it.
 class FabricOnBody {
  public:
-  FabricOnBody(const scene::Scene& scene, const solve::Fields& fields, const solve::StepReport& report)
-      : mesh_(*scene.problem().mesh), all_(places(mesh_, fields)) {
+  FabricOnBody(const result::GarmentOnBody& garment, const std::vector<bool>& touches)
+      : mesh_(*garment.mesh), all_(places(garment, touches)) {
     std::vector<Vec3> points, normals;
     for (const Place& place : all_.touching) {
       points.push_back(place.on_body);
       normals.push_back(place.normal);
     }
-    const result::BodyMap map(on_body(scene.problem(), fields, report), points, normals);
+    const result::BodyMap map(garment, points, normals);
     for (const mesh::MeshedPanel& panel : mesh_.panels) {
-      std::vector<double> touch(fields.position.size(), 0.0);
-      for (int n = panel.first; n < panel.first + panel.nodes; ++n) touch[n] = touches(fields, n) ? 1.0 : 0.0;
+      std::vector<double> touch(touches.size(), 0.0);
+      for (int n = panel.first; n < panel.first + panel.nodes; ++n) touch[n] = touches[n] ? 1.0 : 0.0;
       over_.push_back(map.map(touch));
     }
   }
@@ -99,18 +104,32 @@ std::string rounded_percent(double share) {
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
-/// Empty: none.
-std::string untold(const FabricOnBody& fabric, int a, int b) {
+/// Two panels that share the skin without being told to.
+struct Untold {
+  std::string text;    ///< "panels "a" and "b" lie over each other on 40 % of "a""
+  std::string remedy;  ///< what to write
+};
+
+std::vector<Untold> untold(const FabricOnBody& fabric, const std::vector<std::vector<int>>& beneath) {
   constexpr double counts = 0.05;  // less are folds beside seams
-  const double of_a = fabric.area_with(a, {b}) / fabric.area(a), of_b = fabric.area_with(b, {a}) / fabric.area(b);
-  const double most = std::max(of_a, of_b);
-  if (most <= counts) return "";
-  const std::string first = fabric.name(a), second = fabric.name(b);
-  return "panels " + first + " and " + second + " lie over each other on " + rounded_percent(most) + " of " +
-         (of_a > of_b ? first : second) +
-         ", and both lie on the body itself: the outer one presses too little, the more so the thicker the inner one "
-         "is. Let the outer one name the inner one in its \"over\": " +
-         second + " names " + first + ", or " + first + " names " + second;
+  const auto is_beneath = [&](int a, int b) {
+    return std::find(beneath[b].begin(), beneath[b].end(), a) != beneath[b].end();
+  };
+  std::vector<Untold> all;
+  const int panels = static_cast<int>(beneath.size());
+  for (int a = 0; a < panels; ++a)
+    for (int b = a + 1; b < panels; ++b) {
+      if (is_beneath(a, b) || is_beneath(b, a)) continue;
+      const double of_a = fabric.area_with(a, {b}) / fabric.area(a), of_b = fabric.area_with(b, {a}) / fabric.area(b);
+      const double most = std::max(of_a, of_b);
+      if (most <= counts) continue;
+      const std::string first = fabric.name(a), second = fabric.name(b);
+      all.push_back({"panels " + first + " and " + second + " lie over each other on " + rounded_percent(most) +
+                         " of " + (of_a > of_b ? first : second),
+                     "Let the outer one name the inner one in its \"over\": " + second + " names " + first + ", or " +
+                         first + " names " + second});
+    }
+  return all;
 }
 
 /// Empty: none.
@@ -125,25 +144,49 @@ std::string beside(const FabricOnBody& fabric, int panel, const std::vector<int>
          "beneath it ends";
 }
 
+bool may_overlap(const scene::Scene& scene) {
+  return scene.surface() != nullptr && scene.problem().mesh->panels.size() > 1;
+}
+
+/// [panel] what it names in "over".
+std::vector<std::vector<int>> told(const scene::Scene& scene) {
+  std::vector<std::vector<int>> beneath = scene.problem().beneath;
+  beneath.resize(scene.problem().mesh->panels.size());
+  return beneath;
+}
+
 }  // namespace
 
 std::vector<std::string> overlap_faults(const scene::Scene& scene, const solve::Fields& fields,
                                         const solve::StepReport& report) {
   std::vector<std::string> texts;
-  const int panels = static_cast<int>(scene.problem().mesh->panels.size());
-  if (scene.surface() == nullptr || panels < 2) return texts;
-  std::vector<std::vector<int>> beneath = scene.problem().beneath;
-  beneath.resize(static_cast<size_t>(panels));
-  const FabricOnBody fabric(scene, fields, report);
-  const auto is_beneath = [&](int a, int b) {
-    return std::find(beneath[b].begin(), beneath[b].end(), a) != beneath[b].end();
-  };
-  for (int a = 0; a < panels; ++a) {
-    for (int b = a + 1; b < panels; ++b)
-      if (!is_beneath(a, b) && !is_beneath(b, a)) texts.push_back(untold(fabric, a, b));
-    if (!beneath[a].empty()) texts.push_back(beside(fabric, a, beneath[a]));
-  }
+  if (!may_overlap(scene)) return texts;
+  const std::vector<std::vector<int>> beneath = told(scene);
+  const FabricOnBody fabric(on_body(scene.problem(), fields, report.seam), touching_nodes(fields));
+  for (const Untold& pair : untold(fabric, beneath))
+    texts.push_back(pair.text +
+                    ", and both lie on the body itself: the outer one presses too little, the more so the thicker the "
+                    "inner one is. " +
+                    pair.remedy);
+  for (size_t panel = 0; panel < beneath.size(); ++panel)
+    if (!beneath[panel].empty()) texts.push_back(beside(fabric, static_cast<int>(panel), beneath[panel]));
   texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
+  return texts;
+}
+
+std::vector<std::string> overlaps_of_start(const scene::Scene& scene, const solve::Fields& fields) {
+  constexpr double near = 5.0;  // mm
+  std::vector<std::string> texts;
+  if (!may_overlap(scene)) return texts;
+  result::GarmentOnBody garment = on_body(scene.problem(), fields, scene.start().seam);
+  std::vector<bool> is_near;
+  for (double& distance : garment.distance) {
+    is_near.push_back(std::abs(distance) <= near);
+    distance = std::min(distance, near);  // what hangs further off is not looked for
+  }
+  for (const Untold& pair : untold(FabricOnBody(garment, is_near), told(scene)))
+    texts.push_back(pair.text + " where they start. If they stay there, the outer one will press too little. " +
+                    pair.remedy);
   return texts;
 }
 

@@ -15,4 +15,7 @@ namespace toile::run {
 std::vector<std::string> overlap_faults(const scene::Scene& scene, const solve::Fields& fields,
                                         const solve::StepReport& report);
 
+/// The first of these, of panels that start so within 5 mm of the body. `fields`: of the start.
+std::vector<std::string> overlaps_of_start(const scene::Scene& scene, const solve::Fields& fields);
+
 }  // namespace toile::run

@@ -34,11 +34,12 @@ class PointPressures : public TableOutput {
       for (const double part : at.error_parts) row.push_back(base::mpa_to_kpa(part));
       for (size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);
     };
-    for (const scene::Point& point : record.scene().output().points)
-      add(point.title, fields.position[point.node], pressure_at(record.scene(), fields, point.node));
-    const std::vector<scene::BodyPoint>& points = record.scene().output().body_points;
-    const std::vector<PointPressure> pressures = body_pressures(record.scene(), points, fields, record.last());
-    for (size_t p = 0; p < points.size(); ++p) add(points[p].title, points[p].place, pressures[p]);
+    const scene::Output& output = record.scene().output();
+    const auto at = point_pressures(record.scene(), output.points, fields);
+    for (size_t p = 0; p < at.size(); ++p) add(output.points[p].title, fields.position[output.points[p].node], at[p]);
+    const auto on_body = body_pressures(record.scene(), output.body_points, fields, record.last());
+    for (size_t p = 0; p < on_body.size(); ++p)
+      add(output.body_points[p].title, output.body_points[p].place, on_body[p]);
     TableOutput::write("pressure-points", table);
   }
 };

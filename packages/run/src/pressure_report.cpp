@@ -41,8 +41,11 @@ std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, co
   return std::pair(static_cast<int>(normal), std::round(place / flat) * flat);
 }
 
-double norm(const std::vector<double>& parts) {
-  return std::sqrt(std::inner_product(parts.begin(), parts.end(), parts.begin(), 0.0));
+/// With its error: `parts` is [solve::error_parts()][place] MPa.
+PointPressure with_parts(PointPressure at, const std::vector<std::vector<double>>& parts, std::size_t place) {
+  for (const std::vector<double>& part : parts) at.error_parts.push_back(part[place]);
+  at.error = std::sqrt(std::inner_product(at.error_parts.begin(), at.error_parts.end(), at.error_parts.begin(), 0.0));
+  return at;
 }
 
 /// [solve::error_parts()][node] MPa. Whether fabric touches is known within an element: a node that is free may press
@@ -85,20 +88,19 @@ std::vector<int> mirror_planes(const scene::Scene& scene) {
   return plane;
 }
 
-std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report) {
+std::vector<int> tied_nodes(const solve::Problem& problem, double seam) {
   std::vector<int> tied(static_cast<size_t>(problem.mesh->nodes()));
   std::iota(tied.begin(), tied.end(), 0);
-  if (report.seam != 1.0) return tied;
+  if (seam != 1.0) return tied;
   for (const std::vector<int>& cluster : problem.clusters)
     for (const int n : cluster) tied[n] = cluster.front();
   return tied;
 }
 
-result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields,
-                              const solve::StepReport& report) {
+result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields, double seam) {
   std::vector<double> distance = fields.gap;
   for (size_t n = 0; n < distance.size(); ++n) distance[n] += fields.offset[n];
-  return {problem.mesh, fields.position, tied_nodes(problem, report), distance, fields.normal};
+  return {problem.mesh, fields.position, tied_nodes(problem, seam), distance, fields.normal};
 }
 
 std::vector<bool> elements_at_supports(const scene::Scene& scene) {
@@ -129,11 +131,14 @@ const result::LevelRow* section(const PressureReport& pressure, const std::strin
   return nullptr;
 }
 
-PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node) {
-  PointPressure at{fields.pressure[node], 0.0, {}, fields.gap[node]};
-  for (const std::vector<double>& part : parts_of_points(scene, fields)) at.error_parts.push_back(part[node]);
-  at.error = norm(at.error_parts);
-  return at;
+std::vector<PointPressure> point_pressures(const scene::Scene& scene, const std::vector<scene::Point>& at,
+                                           const solve::Fields& fields) {
+  if (at.empty()) return {};
+  const std::vector<std::vector<double>> parts = parts_of_points(scene, fields);
+  std::vector<PointPressure> all;
+  for (const scene::Point& point : at)
+    all.push_back(with_parts({fields.pressure[point.node], 0.0, {}, fields.gap[point.node]}, parts, point.node));
+  return all;
 }
 
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
@@ -144,16 +149,14 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
     normals.push_back(point.normal);
   }
   if (places.empty()) return {};
-  const result::BodyMap map(on_body(scene.problem(), fields, report), places, normals);
+  const result::BodyMap map(on_body(scene.problem(), fields, report.seam), places, normals);
   const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
                             layers = map.map(std::vector<double>(fields.position.size(), 1.0));
   std::vector<std::vector<double>> parts;
   for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.map(part));
   std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
-    all.push_back({pressure[p], 0.0, {}, std::nullopt});
-    for (const std::vector<double>& part : parts) all.back().error_parts.push_back(part[p]);
-    all.back().error = norm(all.back().error_parts);
+    all.push_back(with_parts({pressure[p], 0.0, {}, std::nullopt}, parts, p));
     if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
   }
   return all;
@@ -166,7 +169,7 @@ PressureReport pressure_report(const scene::Scene& scene, const solve::Fields& f
   if (scene.surface() == nullptr || (output.stations == 0 && output.levels.empty())) return found;
   result::GarmentFields garment{&scene.garment().mesh,
                                 fields.position,
-                                tied_nodes(scene.problem(), report),
+                                tied_nodes(scene.problem(), report.seam),
                                 fields.pressure,
                                 {},
                                 fields.tension,

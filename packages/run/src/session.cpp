@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "alike.hpp"
+#include "overlaps.hpp"
 #include "restart_file.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/read_content.hpp"
@@ -29,6 +30,13 @@ bool listens(const Observer& observer) {
 
 }  // namespace
 
+template <class Read>
+Session::Input Session::read_input(const material::Laws& laws, const Read& read) {
+  std::vector<std::string> warnings;
+  const base::List list = read(scene::scene_spec(laws, &warnings));
+  return {laws, list, warnings};
+}
+
 Session::Session(Input input, const Options& options)
     : log_(options.log),
       input_(std::move(input)),
@@ -40,7 +48,7 @@ Session::Session(const std::string& file, const Options& options)
     : Session(
           [&] {
             const material::Laws laws = material::read_laws(file, root, options.allow_plugins);
-            return Input{laws, base::read_xml(file, scene::scene_spec(laws))};
+            return read_input(laws, [&](const base::Spec& spec) { return base::read_xml(file, spec); });
           }(),
           options) {}
 
@@ -49,7 +57,7 @@ Session::Session(const Teuchos::ParameterList& content, const std::string& name,
           [&] {
             const base::Content source{content, name};
             const material::Laws laws = material::read_laws(source, root, options.allow_plugins);
-            return Input{laws, base::read_content(source, scene::scene_spec(laws))};
+            return read_input(laws, [&](const base::Spec& spec) { return base::read_content(source, spec); });
           }(),
           options) {}
 
@@ -58,7 +66,13 @@ Session::Session(const base::List& list, const Options& options) : Session(Input
 Session::~Session() = default;
 
 const scene::StartReport& Session::start_report() {
-  if (!start_) start_ = scene::look_at_start(scene_, list_);
+  if (!start_) {
+    const solve::Fields fields = solve::compute_fields(scene_.problem(), scene_.start());
+    start_ = scene::look_at_start(scene_, list_, fields);
+    start_->warnings.insert(start_->warnings.end(), input_.warnings.begin(), input_.warnings.end());
+    const auto phase = timer_.phase("overlaps");
+    for (std::string& text : overlaps_of_start(scene_, fields)) start_->warnings.push_back(std::move(text));
+  }
   return *start_;
 }
 

@@ -54,6 +54,8 @@ class Places {
     in(scene_, "scene", "Output", [this](ParameterList& output, const std::string& path) { put_output(output, path); });
   }
 
+  base::Texts warnings() const { return landmarks_ ? landmarks_->warnings : base::Texts(); }
+
  private:
   using Visit = std::function<void(ParameterList&, const std::string& path)>;
 
@@ -163,8 +165,10 @@ class Places {
 
 }  // namespace
 
-void put_landmarks(ParameterList& scene, base::Origins& origins) {
-  Places(scene, origins).put();
+base::Texts put_landmarks(ParameterList& scene, base::Origins& origins) {
+  Places places(scene, origins);
+  places.put();
+  return places.warnings();
 }
 
 }  // namespace toile::scene

@@ -25,18 +25,6 @@ std::string unknown(const std::string& kind, const std::string& name, const base
   return "no " + kind + " is named \"" + name + "\"" + base::hint(name, valid);
 }
 
-int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
-  const std::string& name = list.word(parameter);
-  const auto edge = mesh.edges.find(name);
-  if (edge == mesh.edges.end()) {
-    base::Texts valid;
-    for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
-    list.fail(parameter, unknown("edge", name, valid));
-  }
-  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
-  return edge->second[static_cast<size_t>(std::lround(at))];
-}
-
 Point read_point(const base::List& entry, const mesh::Mesh& mesh) {
   const mesh::FoundNodes found = mesh::find_nodes(mesh, entry.word("on"));
   if (!found.problem.empty()) entry.fail("on", found.problem);
@@ -125,19 +113,26 @@ bool moves_as_one(const solve::Support& support) {
   return true;
 }
 
-/// Its support or level is there.
-void check_tester(const base::List& entry, const Output& output, const solve::Problem& problem) {
-  const std::string kind = std::holds_alternative<FlatJaws>(output.testers.back().kind) ? "support" : "level";
-  base::Texts valid;
-  if (kind == "support")
-    for (const solve::Support& support : problem.supports) valid.push_back(support.name);
-  else
-    for (const Level& level : output.levels) valid.push_back(level.name);
-  if (std::find(valid.begin(), valid.end(), entry.word(kind)) == valid.end())
-    entry.fail(kind, unknown(kind, entry.word(kind), valid));
+TesterPlaces tester_places(const Output& output, const solve::Problem& problem) {
+  TesterPlaces places;
+  for (const solve::Support& support : problem.supports) places.supports.push_back(support.name);
+  for (const Level& level : output.levels) places.levels.push_back(level.name);
+  return places;
 }
 
 }  // namespace
+
+int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
+  const std::string& name = list.word(parameter);
+  const auto edge = mesh.edges.find(name);
+  if (edge == mesh.edges.end()) {
+    base::Texts valid;
+    for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
+    list.fail(parameter, unknown("edge", name, valid));
+  }
+  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
+  return edge->second[static_cast<size_t>(std::lround(at))];
+}
 
 Output read_output(const base::List& list, const solve::Problem& problem) {
   Output out;
@@ -199,10 +194,8 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
       out.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));
   if (list.has_list("Lines")) out.lines = read_lines(list.list("Lines"), problem.surface, out);
   if (list.has_list("Testers"))
-    for (const base::List& entry : list.list("Testers").entries()) {
-      out.testers.push_back(read_tester(entry));
-      check_tester(entry, out, problem);
-    }
+    for (const base::List& entry : list.list("Testers").entries())
+      out.testers.push_back(read_tester(entry, tester_places(out, problem)));
   if (list.has_list("Drapemeter")) {
     if (out.bent_axis)
       list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");

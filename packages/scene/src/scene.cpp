@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check_nodes.hpp"
 #include "drape_fault.hpp"
 #include "read_output.hpp"
 #include "toile/base/error.hpp"
@@ -77,6 +78,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   read_materials(list, laws);
   stages_ = solve::read_stages(list.list("Stages"));
   if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
+  garment::CutGarment cut = cut_garment(list, timer);
   {
     const auto phase = timer.phase("body");
     if (const auto body = optional_list(list, "Body")) {
@@ -86,8 +88,7 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   }
   {
     const auto phase = timer.phase("garment");
-    const auto seams = optional_list(list, "Seams");
-    garment_ = garment::build_garment(list.list("Panels"), seams ? &*seams : nullptr, surface_.get());
+    garment_ = garment::place_garment(std::move(cut), list.list("Panels"), surface_.get());
   }
   if (const auto drape = optional_list(list, "Drape")) {
     const auto phase = timer.phase("drape");
@@ -119,6 +120,14 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
   if (const auto accuracy = optional_list(list, "Accuracy"))
     accuracy_ = read_accuracy(*accuracy, output_, surface_ != nullptr);
   list_modules(ranks);
+}
+
+garment::CutGarment Scene::cut_garment(const base::List& list, base::Timer& timer) const {
+  const auto phase = timer.phase("garment");
+  const auto seams = optional_list(list, "Seams");
+  garment::CutGarment cut = garment::cut_garment(list.list("Panels"), seams ? &*seams : nullptr);
+  check_nodes(list, cut.garment.mesh);
+  return cut;
 }
 
 // What supports hold in a direction of space stays where it is placed; along the limb has a meaning on the body only.

@@ -129,7 +129,7 @@ Spec materials_spec(const material::Laws& laws) {
   return Spec("Materials", "The fabrics, by name.").entries(material::material_spec(laws), 1);
 }
 
-Spec scene_spec(const material::Laws& laws) {
+Spec scene_spec(const material::Laws& laws, std::vector<std::string>* warnings) {
   return Spec("scene", "One garment, the body that wears it, and what happens to it.")
       .word("title", "What the scene shows.", std::string())
       .add(base::include_parameter())
@@ -150,8 +150,9 @@ Spec scene_spec(const material::Laws& laws) {
       .list(output_spec())
       .list(checks_spec())
       .list(accuracy_spec())
-      .completed_by([](Teuchos::ParameterList& list, base::Origins& origins) {
-        put_landmarks(list, origins);
+      .completed_by([warnings](Teuchos::ParameterList& list, base::Origins& origins) {
+        const base::Texts found = put_landmarks(list, origins);
+        if (warnings != nullptr) *warnings = found;
         garment::add_pattern(list, origins);
         garment::make_finer(list);
       });

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "toile/solve/connected_parts.hpp"
-#include "toile/solve/fields.hpp"
 
 namespace toile::scene {
 
@@ -147,22 +146,20 @@ void add_depth(const mesh::Block& block, const std::vector<Vec3>& position, cons
 }
 
 /// [node] mm, from the body.
-std::vector<double> gaps(const body::Surface& surface, const std::vector<Vec3>& position) {
-  std::vector<double> gap;
-  for (const Vec3& x : position) gap.push_back(surface.closest(x).gap);
+std::vector<double> gaps(const solve::Fields& fields) {
+  std::vector<double> gap = fields.gap;
+  for (size_t n = 0; n < gap.size(); ++n) gap[n] += fields.offset[n];
   return gap;
 }
 
 }  // namespace
 
-std::vector<PanelStart> look_at_panels(const Scene& scene) {
+std::vector<PanelStart> look_at_panels(const Scene& scene, const solve::Fields& fields) {
   const solve::Problem& problem = scene.problem();
   const mesh::Mesh& mesh = *problem.mesh;
-  const solve::State start = scene.start();
-  const solve::Fields fields = solve::compute_fields(problem, start);
-  const std::vector<Vec3> position = node_positions(problem, start);
+  const std::vector<Vec3>& position = fields.position;
   const std::vector<double> closed = closing(scene, position);
-  const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
+  const std::vector<double> gap = gaps(fields);
   std::vector<PanelStart> panels;
   for (size_t b = 0; b < mesh.blocks.size(); ++b) {
     const std::vector<Deformation> elements = deformations(mesh, mesh.blocks[b], position);
@@ -188,15 +185,14 @@ std::vector<PanelStart> look_at_panels(const Scene& scene) {
   return panels;
 }
 
-std::vector<LoosePart> loose_parts(const Scene& scene) {
+std::vector<LoosePart> loose_parts(const Scene& scene, const solve::Fields& fields) {
   constexpr double touching = 1.0;  // mm
   const solve::Problem& problem = scene.problem();
-  const std::vector<Vec3> position = node_positions(problem, scene.start());
-  const std::vector<double> gap = problem.surface != nullptr ? gaps(*problem.surface, position) : std::vector<double>();
-  std::vector<bool> held(position.size(), false);
+  const std::vector<double> gap = gaps(fields);
+  std::vector<bool> held(gap.size(), false);
   for (const solve::Support& support : problem.supports)
     for (const int n : support.nodes) held[n] = held[n] || support.held[0] || support.held[1] || support.held[2];
-  std::vector<std::string> panel_of(position.size());
+  std::vector<std::string> panel_of(gap.size());
   for (const mesh::MeshedPanel& panel : problem.mesh->panels)
     std::fill_n(panel_of.begin() + panel.first, panel.nodes, panel.name);
   std::vector<LoosePart> loose;

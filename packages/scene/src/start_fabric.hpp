@@ -7,6 +7,7 @@
 
 #include "start_shape.hpp"
 #include "toile/scene/scene.hpp"
+#include "toile/solve/fields.hpp"
 
 namespace toile::scene {
 
@@ -35,10 +36,10 @@ struct LoosePart {
   double gap = 0.0;    ///< mm, of its nearest node from the body; infinite without a body
 };
 
-/// [panel] of the start that scene.start() gives.
-std::vector<PanelStart> look_at_panels(const Scene& scene);
+/// [panel] of the start that scene.start() gives. `fields`: its own.
+std::vector<PanelStart> look_at_panels(const Scene& scene, const solve::Fields& fields);
 
 /// Parts without a support that do not lie on the body.
-std::vector<LoosePart> loose_parts(const Scene& scene);
+std::vector<LoosePart> loose_parts(const Scene& scene, const solve::Fields& fields);
 
 }  // namespace toile::scene

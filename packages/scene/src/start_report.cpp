@@ -91,8 +91,8 @@ Texts body_lines(const std::vector<PanelStart>& panels, bool open) {
 
 }  // namespace
 
-StartReport look_at_start(const Scene& scene, const base::List& list) {
-  const std::vector<PanelStart> panels = look_at_panels(scene);
+StartReport look_at_start(const Scene& scene, const base::List& list, const solve::Fields& fields) {
+  const std::vector<PanelStart> panels = look_at_panels(scene, fields);
   const std::vector<SeamStart> seams = look_at_seams(scene);
   const bool open = !seams.empty() && scene.start().seam < 1.0;
   StartReport report;
@@ -110,7 +110,7 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   report.lines.push_back(mesh_line(scene.garment().mesh));
   append(report.warnings, forgotten_seam_warnings(scene));
   if (report.errors.empty()) append(report.warnings, held_seam_warnings(scene));
-  append(report.warnings, crossing_warnings(scene));
+  append(report.warnings, crossing_warnings(scene, fields));
   append(report.warnings, scene.body().warnings);
   append(report.warnings, scale_warnings(scene.body(), panels));
   append(report.warnings, size_warnings(list, panels));
@@ -118,7 +118,7 @@ StartReport look_at_start(const Scene& scene, const base::List& list) {
   append(report.warnings, weight_warnings(list));
   append(report.warnings, girth_warnings(panels));
   append(report.warnings, pressure_warnings(panels));
-  append(report.warnings, loose_warnings(loose_parts(scene), !open));
+  append(report.warnings, loose_warnings(loose_parts(scene, fields), !open));
   return report;
 }
 

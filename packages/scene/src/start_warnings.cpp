@@ -216,13 +216,9 @@ Texts forgotten_seam_warnings(const Scene& scene) {
   return texts;
 }
 
-Texts crossing_warnings(const Scene& scene) {
-  const solve::Problem& problem = scene.problem();
-  if (!problem.crossings) return {};
-  const crossing::Crossings found =
-      crossing::find_crossings(*problem.mesh, problem.clusters, solve::node_positions(problem, scene.start()));
-  if (found.panels.empty()) return {};
-  return {"the fabric starts passed through fabric: " + text_of(found, *problem.mesh) +
+Texts crossing_warnings(const Scene& scene, const solve::Fields& fields) {
+  if (fields.crossings.panels.empty()) return {};
+  return {"the fabric starts passed through fabric: " + text_of(fields.crossings, *scene.problem().mesh) +
           ". Nothing will bring it out: fabric is in contact with the body only. Place the panels so that none is in "
           "the way of another"};
 }

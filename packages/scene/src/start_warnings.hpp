@@ -33,7 +33,7 @@ std::vector<std::string> seam_warnings(const garment::Seam& seam, const SeamStar
 /// Sides of panels that face each other on a body and are not sewn.
 std::vector<std::string> forgotten_seam_warnings(const Scene& scene);
 /// Fabric that passes through fabric where it starts.
-std::vector<std::string> crossing_warnings(const Scene& scene);
+std::vector<std::string> crossing_warnings(const Scene& scene, const solve::Fields& fields);
 /// Messages on seams that cannot be wanted; `list`: of the scene.
 std::vector<std::string> seam_errors(const Scene& scene, const base::List& list, const std::vector<SeamStart>& seams);
 

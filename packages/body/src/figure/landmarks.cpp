@@ -10,6 +10,12 @@
 namespace toile::body {
 namespace {
 
+constexpr const char* round_trunk =
+    "the trunk of the body is as deep as it is wide, so which way it looks cannot be told from it: it is taken to look "
+    "towards -y, with its left at greater x. Is it turned about z, then landmarks in front, behind and at the sides "
+    "are "
+    "not where they are named";
+
 const base::Texts paired = {"shoulder", "shoulder blade", "armpit", "upper arm", "elbow",
                             "wrist",    "thigh",          "knee",   "calf",      "ankle"};
 
@@ -54,8 +60,13 @@ Landmarks search(const TriangleMesh& mesh, const FigureScan& scan) {
 Landmarks find_landmarks(const TriangleMesh& mesh) {
   constexpr double straight = 1e-3;  // radians: less moves no landmark by 1 mm
   const FigureScan as_given(mesh);
-  const double angle = heading(as_given);
-  if (std::abs(angle) < straight) return search(mesh, as_given);
+  const std::optional<double> heading_found = heading(as_given);
+  const double angle = heading_found.value_or(0.0);
+  if (std::abs(angle) < straight) {
+    Landmarks all = search(mesh, as_given);
+    if (!heading_found) all.warnings.emplace_back(round_trunk);
+    return all;
+  }
   const TriangleMesh straightened = turned_about_z(mesh, -angle);
   Landmarks all = search(straightened, FigureScan(straightened));
   for (Landmark& landmark : all.found) {

@@ -43,7 +43,7 @@ void refuse_lying(const FigureScan& scan) {
 
 }  // namespace
 
-double heading(const FigureScan& scan) {
+std::optional<double> heading(const FigureScan& scan) {
   constexpr double round = 0.1;  // a trunk whose elongation is less has no long axis
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double area = 0.0;
@@ -55,7 +55,7 @@ double heading(const FigureScan& scan) {
     area += trunk->area;
   }
   // Of an ellipse with half axes a and b the elongation over the area is (a^2 - b^2) / 4.
-  if (sum.norm() * 4.0 * M_PI < round * area) return 0.0;
+  if (sum.norm() * 4.0 * M_PI < round * area) return std::nullopt;
   const double angle = 0.5 * std::atan2(sum[1], sum[0]);
   if (std::abs(angle) > 0.25 * M_PI) {
     refuse_lying(scan);

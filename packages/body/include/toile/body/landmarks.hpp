@@ -26,6 +26,7 @@ struct MissingLandmark {
 struct Landmarks {
   std::vector<Landmark> found;
   std::vector<MissingLandmark> missing;
+  std::vector<std::string> warnings = {};  ///< what the search had to take for granted
 
   /// Null if it was not found. "line" behind the name of a level is left out: "waist line".
   const Landmark* find(const std::string& name) const;
@@ -42,7 +43,8 @@ const base::Texts& landmark_names();
 /// Landmarks of a standing body, z up, front towards -y, its left at greater x, in mm; from its sections alone. Arms
 /// may hang, stand off or be held level, as long as they and the legs are apart from the trunk below the armpits and
 /// the crotch. Parts may be missing: what cannot be found is told. A body that looks up to 45 degrees aside is turned
-/// for the search by the long axis of its trunk. Throws InputError if it looks elsewhere, lies or stands on its head.
+/// for the search by the long axis of its trunk; one whose trunk is round is taken as it is, with a warning. Throws
+/// InputError if it looks elsewhere, lies or stands on its head.
 ///
 /// Levels (waist, hip, ...) have a tape girth in a horizontal section; of upper arm, elbow and wrist it lies across the
 /// arm. Heights are found within half a per cent of the body's height.

@@ -22,8 +22,20 @@ struct Garment {
   std::vector<std::vector<int>> beneath;            ///< as solve::Problem::beneath: panels between one and the body
 };
 
-/// Meshes, places and sews. `seams` may be null (none); `body` may be null if no panel is wrapped round it.
-/// Throws InputError, see build_panel and build_seams; also if the placement fails (axis outside of the body, ...).
+/// A garment that is meshed and sewn, and lies nowhere in space yet: what does not need the body.
+struct CutGarment {
+  Garment garment;
+  std::vector<Panel> panels;
+};
+
+/// Meshes and sews. `seams` may be null (none). Throws InputError, see build_panels and build_seams.
+CutGarment cut_garment(const base::List& panels, const base::List* seams);
+
+/// Places it. `panels`: as it was cut from; `body` may be null if no panel is wrapped round it. Throws InputError if
+/// the placement fails (axis outside of the body, ...).
+Garment place_garment(CutGarment cut, const base::List& panels, const body::Surface* body);
+
+/// Both.
 Garment build_garment(const base::List& panels, const base::List* seams, const body::Surface* body);
 
 /// Part of the body that the panels of the list "Panels" can touch: between the lowest and the highest of them, with a

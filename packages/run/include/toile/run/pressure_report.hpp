@@ -31,8 +31,9 @@ struct PointPressure {
   std::optional<double> gap;           ///< mm, mean of the layers; none: no fabric is there
 };
 
-/// At a node. One that is free beside nodes that press has their largest pressure as its error.
-PointPressure pressure_at(const scene::Scene& scene, const solve::Fields& fields, int node);
+/// [point] At nodes. One that is free beside nodes that press has their largest pressure as its error.
+std::vector<PointPressure> point_pressures(const scene::Scene& scene, const std::vector<scene::Point>& at,
+                                           const solve::Fields& fields);
 
 /// [place]
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
@@ -41,12 +42,11 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
 /// Names of solve::error_parts().
 std::vector<std::string> error_names();
 
-/// [node] the first of the nodes that a closed seam holds together with it.
-std::vector<int> tied_nodes(const solve::Problem& problem, const solve::StepReport& report);
+/// [node] the first of the nodes that a closed seam holds together with it. `seam`: 1 if they are closed.
+std::vector<int> tied_nodes(const solve::Problem& problem, double seam);
 
-/// The garment of a state, for what is carried from it to the body.
-result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields,
-                              const solve::StepReport& report);
+/// The garment of a state, for what is carried from it to the body. `seam`: as above.
+result::GarmentOnBody on_body(const solve::Problem& problem, const solve::Fields& fields, double seam);
 
 /// [element] true where some nodes are held by a support, not in a plane of symmetry, and others are not.
 std::vector<bool> elements_at_supports(const scene::Scene& scene);

@@ -68,7 +68,11 @@ class Session {
   struct Input {
     material::Laws laws;
     base::List list;
+    std::vector<std::string> warnings = {};  ///< of how it was read
   };
+  /// `read`: from a scene's description to its list.
+  template <class Read>
+  static Input read_input(const material::Laws& laws, const Read& read);
   Session(Input input, const Options& options);
   void identify();
   void run_stages();

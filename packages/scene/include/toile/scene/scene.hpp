@@ -23,8 +23,9 @@
 
 namespace toile::scene {
 
-/// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be.
-base::Spec scene_spec(const material::Laws& laws = material::Laws());
+/// Description of a whole scene file: every list that Toile reads. `laws`: what its materials may be; `warnings`: gets
+/// what must be known of how a list was completed (null: nobody asks).
+base::Spec scene_spec(const material::Laws& laws = material::Laws(), std::vector<std::string>* warnings = nullptr);
 
 /// Its list "Materials" alone.
 base::Spec materials_spec(const material::Laws& laws);
@@ -81,7 +82,7 @@ struct Output {
   std::vector<Level> levels;
   std::vector<BodyPoint> body_points;
   std::vector<PressureLine> lines;
-  std::vector<Tester> testers;
+  std::vector<std::shared_ptr<const Tester>> testers;
   std::optional<Drapemeter> drapemeter;
   std::vector<ForceCurve> force_curves;
   std::vector<Distance> distances;
@@ -132,6 +133,7 @@ class Scene {
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
+  garment::CutGarment cut_garment(const base::List& list, base::Timer& timer) const;
   std::vector<drape::Held> held_while_draped(const base::List& scene) const;
   void drape_garment(const base::List& scene, const base::List& list);
   void read_materials(const base::List& list, const material::Laws& laws);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "toile/scene/scene.hpp"
+#include "toile/solve/fields.hpp"
 
 namespace toile::scene {
 
@@ -16,7 +17,7 @@ struct StartReport {
 
 /// Looks at the start that scene.start() gives: stretch of each panel, gap and order of each seam, girth, pressure that
 /// the placed fabric would exert, nodes inside the body, parts that nothing holds. `list`: the one that the scene was
-/// built from; the errors name its entries. The same on every rank; communicates nothing.
-StartReport look_at_start(const Scene& scene, const base::List& list);
+/// built from; the errors name its entries; `fields`: of the start. The same on every rank; communicates nothing.
+StartReport look_at_start(const Scene& scene, const base::List& list, const solve::Fields& fields);
 
 }  // namespace toile::scene

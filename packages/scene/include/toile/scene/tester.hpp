@@ -1,41 +1,65 @@
 #pragma once
 
+#include <memory>
 #include <string>
-#include <variant>
+#include <utility>
+#include <vector>
 
 #include "toile/base/parameters.hpp"
 
 namespace toile::scene {
 
-/// Two flat jaws, or legs of wood, over which a stocking is drawn and which are driven apart. The tester tells the
-/// pressure on a limb of the girth that the stocking then has, by Laplace's law.
-struct FlatJaws {
-  std::string support;  ///< that holds the fabric on one of the jaws
-  double width = 0.0;   ///< of the jaws, mm
-  double girth = 0.0;   ///< of the limb, mm
-
-  /// MPa, of the force of the fabric's one layer on the support, N.
-  double pressure(double force) const;
+/// The section of a limb at a level.
+struct LimbSection {
+  std::string problem;          ///< why it tells nothing; empty: it does
+  double radius = 0.0;          ///< mm
+  double laplace = 0.0;         ///< MPa, tension over radius
+  double pressure_error = 0.0;  ///< MPa, of the mean pressure round it
 };
 
-/// A rigid sensor between the fabric and the limb at a level, with its longer edges along the limb.
-struct RigidSensor {
-  std::string level;
-  double width = 0.0;   ///< round the limb, mm
-  double height = 0.0;  ///< mm
-
-  /// Its reading over the pressure T/R of the bare limb: 2 R sin(beta) / b, beta = atan(b / (2 (R + h))) + acos(R /
-  /// sqrt(b^2/4 + (R + h)^2)), if the fabric slides without friction, so that its tension T is the same everywhere.
-  double ratio(double radius) const;
+/// What a run has found, as far as testers ask for it.
+class WornGarment {
+ public:
+  WornGarment() = default;
+  WornGarment(const WornGarment&) = delete;
+  WornGarment& operator=(const WornGarment&) = delete;
+  virtual ~WornGarment() = default;
+  /// N, of a support of the scene.
+  virtual double force(const std::string& support) const = 0;
+  /// At a level of the scene.
+  virtual LimbSection section(const std::string& level) const = 0;
 };
 
-struct Tester {
-  std::string name;
-  std::variant<FlatJaws, RigidSensor> kind;
+/// MPa.
+struct TesterReading {
+  std::string problem;    ///< why there is no reading; empty: there is one
+  double pressure = 0.0;  ///< by Laplace's law, of the limb without a tester
+  double error = 0.0;     ///< of the reading, by what is known of the pressure's
+  double reading = 0.0;
+};
+
+/// A tester of a hosiery laboratory. Each kind is a source of its own, with a line in the registry (testers.cpp).
+class Tester {
+ public:
+  explicit Tester(std::string name) : name_(std::move(name)) {}
+  Tester(const Tester&) = delete;
+  Tester& operator=(const Tester&) = delete;
+  virtual ~Tester() = default;
+  const std::string& name() const { return name_; }
+  virtual TesterReading read(const WornGarment& garment) const = 0;
+
+ private:
+  std::string name_;
+};
+
+/// Names of the scene that a tester can be at.
+struct TesterPlaces {
+  base::Texts supports, levels;
 };
 
 /// Of one entry of the list "Testers".
 base::Spec tester_spec();
-Tester read_tester(const base::List& entry);
+/// Throws base::InputError if it is at a place that is not there.
+std::shared_ptr<const Tester> read_tester(const base::List& entry, const TesterPlaces& places);
 
 }  // namespace toile::scene
