@@ -199,7 +199,7 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   if (list.has_list("Drapemeter")) {
     if (out.bent_axis)
       list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");
-    out.drapemeter = read_drapemeter(list.list("Drapemeter"), *problem.mesh);
+    out.drapemeter = read_drapemeter(list.list("Drapemeter"), *problem.mesh, {out.axis_point, out.axis_direction});
   }
   return out;
 }
@@ -211,6 +211,8 @@ std::vector<Check> read_checks(const base::List& list, const Output& output, boo
     if (check.lower > check.upper) entry.fail("lower", "must not be above \"upper\"");
     check.sections = sections_of(entry, output);
     check.compression = compression_of(entry);
+    if (!check.compression && !entry.given("lower") && !entry.given("upper"))
+      entry.fail("lower", "is missing, and \"upper\" too: a check without a bound always holds");
     const bool of_contact = check.quantity == "largest pressure" || check.quantity == "largest gap";
     if (!with_body && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
     if (is_one_of(drape_quantities, check.quantity) && !output.drapemeter)

@@ -110,7 +110,8 @@ Texts girth_warnings(const std::vector<PanelStart>& panels) {
   }
   if (names.empty() || largest >= wider) return {};
   return {"the garment is wider than its body: round the body " + names + " is stretched to " + short_number(largest) +
-          " at most, so it hangs loose and presses nowhere. Make the pattern narrower, or look for a unit or a "
+          " at most, so it hangs loose and presses nowhere, unless a stretch along the limb draws it in. Make the "
+          "pattern narrower, or look for a unit or a "
           "\"scale\" that is wrong"};
 }
 

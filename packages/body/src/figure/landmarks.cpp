@@ -16,6 +16,11 @@ constexpr const char* round_trunk =
     "are "
     "not where they are named";
 
+constexpr const char* no_front =
+    "nothing of the chest stands out to the front, and the body has no feet that say where that is: does it look "
+    "towards +y? Landmarks are found on a body that looks towards -y; else left and right are exchanged, and those in "
+    "front and behind are not where they are named";
+
 const base::Texts paired = {"shoulder", "shoulder blade", "armpit", "upper arm", "elbow",
                             "wrist",    "thigh",          "knee",   "calf",      "ankle"};
 
@@ -40,8 +45,10 @@ Landmarks search(const TriangleMesh& mesh, const FigureScan& scan) {
   find_crotch_and_armpits(finder);
   if (all.found.empty()) check_upright(mesh, scan);
   find_neck(finder);
-  find_legs(finder);
+  const bool feet = find_legs(finder);
   find_trunk(finder);
+  const bool chest = all.find("left bust point") != nullptr || all.find("right bust point") != nullptr;
+  if (!feet && !chest && all.find("waist") != nullptr) all.warnings.emplace_back(no_front);
   find_arms(finder);
   add_middles(finder);
   const auto place = [](const std::string& name) {

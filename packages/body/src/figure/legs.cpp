@@ -85,9 +85,10 @@ void Leg::find() {
   }
 }
 
-/// The feet say where the front is.
-void check_front(const Finder& finder) {
+/// The feet say where the front is; false: there are none.
+bool check_front(const Finder& finder) {
   const FigureScan& scan = finder.scan;
+  bool feet = false;
   for (const int side : {1, -1}) {
     const Landmark* ankle = finder.find(std::string(side_name(side)) + "ankle");
     const FigureLevel sole = scan.level(scan.bottom() + 0.008 * scan.height());
@@ -95,6 +96,7 @@ void check_front(const Finder& finder) {
     if (ankle == nullptr || foot == nullptr || foot->tape_girth < 1.2 * ankle->girth) {
       continue;
     }
+    feet = true;
     const Vec3 toes = foot->centre - ankle->point;
     if (-toes.y() < std::abs(toes.x())) {
       const std::string found = std::abs(toes.x()) > std::abs(toes.y()) ? (toes.x() > 0.0 ? "+x" : "-x") : "+y";
@@ -102,11 +104,12 @@ void check_front(const Finder& finder) {
                              "; landmarks are found on a body that looks towards -y, with z up: turn it about z");
     }
   }
+  return feet;
 }
 
 }  // namespace
 
-void find_legs(const Finder& finder) {
+bool find_legs(const Finder& finder) {
   const Landmark* crotch = finder.find("crotch");
   if (crotch == nullptr) {
     for (const int side : {1, -1}) {
@@ -114,12 +117,12 @@ void find_legs(const Finder& finder) {
         finder.miss(side_name(side) + std::string(part), "the crotch, from which a leg goes down, was not found");
       }
     }
-    return;
+    return false;
   }
   for (const int side : {1, -1}) {
     Leg{finder, side, crotch->point.z()}.find();
   }
-  check_front(finder);
+  return check_front(finder);
 }
 
 }  // namespace toile::body

@@ -90,7 +90,8 @@ std::pair<Vec3, Vec3> nearest_pair(const SectionPiece& first, const SectionPiece
 void find_crotch_and_armpits(const Finder& finder);
 void find_neck(const Finder& finder);
 void find_trunk(const Finder& finder);
-void find_legs(const Finder& finder);
+/// Whether there are feet, which say where the front is: they must point towards -y.
+bool find_legs(const Finder& finder);
 void find_arms(const Finder& finder);
 
 }  // namespace toile::body

@@ -1,4 +1,6 @@
 // Forces on the garment.
+#include <algorithm>
+
 #include "input/read.hpp"
 #include "terms/pattern_areas.hpp"
 #include "toile/solve/spec.hpp"
@@ -13,8 +15,8 @@ Spec loads_spec() {
   Spec edge("edge", "Force along an edge that keeps its direction.");
   edge.word("on", "Name of an edge, for instance front.top.")
       .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z).");
-  Spec point("point", "Force on each named node that keeps its direction.");
-  point.word("on", "Name of a corner (front.top-left), a place on an edge (front.top@0.5) or an edge.")
+  Spec point("point", "Force on one node that keeps its direction.");
+  point.word("on", "Name of a corner (front.top-left), or a place on an edge (front.top@0.5) or in a panel.")
       .reals("force", "N", "Force at load 1 (x, y, z).");
   Spec moment("edge moment", "Moment along an edge of shells, about an axis that keeps its direction.");
   moment.word("on", "Name of an edge, for instance front.top.")
@@ -70,6 +72,9 @@ NodalLoad read_weight(const List& entry, const mesh::Mesh& mesh) {
   const Vec3 direction = read_vector(entry, "direction");
   if (direction.isZero()) entry.fail("direction", "has no length");
   base::Texts names = entry.words("on");
+  for (const std::string& name : names)
+    if (std::count(names.begin(), names.end(), name) > 1)
+      entry.fail("on", "names panel \"" + name + "\" twice, and its weight would count twice");
   if (names.empty())
     for (const mesh::MeshedPanel& panel : mesh.panels) names.push_back(panel.name);
   std::vector<double> area(mesh.nodes(), 0.0);
@@ -97,12 +102,22 @@ NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
   load.nodes = read_nodes(entry, mesh, entry.word("on"));
   load.moment = type == "edge moment";
   load.value = read_vector(entry, type == "edge" ? "traction" : type == "point" ? "force" : "moment");
-  if (type == "point")
-    load.share.assign(load.nodes.size(), 1.0);
-  else if (load.nodes.size() < 2)
-    entry.fail("on", "\"" + entry.word("on") + "\" is a single node; a load per length needs an edge");
-  else
+  const std::string& on = entry.word("on");
+  const auto called = [&on](const mesh::MeshedPanel& panel) { return panel.name == on; };
+  if (type == "point" && load.nodes.size() > 1)
+    entry.fail("on",
+               "\"" + on + "\" has " + std::to_string(load.nodes.size()) +
+                   " nodes, as many as the mesh has there, and each would get the force: name a corner or a place "
+                   "on an edge, or give a load of type \"edge\" its force per length");
+  if (type == "point") {
+    load.share = {1.0};
+  } else if (std::any_of(mesh.panels.begin(), mesh.panels.end(), called)) {
+    entry.fail("on", "\"" + on + "\" is a panel; a load per length needs an edge of it, as " + on + ".top");
+  } else if (load.nodes.size() < 2) {
+    entry.fail("on", "\"" + on + "\" is a single node; a load per length needs an edge");
+  } else {
     load.share = nodal_lengths(mesh, load.nodes);
+  }
   return load;
 }
 

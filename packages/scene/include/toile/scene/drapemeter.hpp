@@ -17,8 +17,15 @@ struct Drapemeter {
   double coefficient(double shadow) const;
 };
 
+/// Along which light falls; the direction may have any length.
+struct LightAxis {
+  mesh::Vec3 point = mesh::Vec3::Zero();  ///< mm
+  mesh::Vec3 direction = mesh::Vec3::UnitZ();
+};
+
 base::Spec drapemeter_spec();
-/// Throws base::InputError if the garment is neither a disc of fabric nor the ring of it beyond the disc.
-Drapemeter read_drapemeter(const base::List& list, const mesh::Mesh& mesh);
+/// Throws base::InputError if the garment, as it is placed, is neither a flat disc of fabric round the axis nor the
+/// ring of it beyond the disc.
+Drapemeter read_drapemeter(const base::List& list, const mesh::Mesh& mesh, const LightAxis& axis);
 
 }  // namespace toile::scene
