@@ -55,6 +55,25 @@ TEST_F(Compare, PlaceBeyondBothScatters) {
   EXPECT_THAT(read("run/pressure-compared.csv"), HasSubstr("B,2.8,0.05,3,0.1,0.2,no\nC,2.02,0,2,0.05,-0.02,yes\n"));
 }
 
+// A computed value whose error is as large as itself decides nothing where the bars meet: no agreement, with the status
+// of a check that is not decided. Where they do not meet the values differ; 0 without an error is exact.
+TEST_F(Compare, ErrorAsLargeAsTheValue) {
+  write("run/pressure-levels.csv",
+        "level,mean pressure [kPa],error of the mean pressure [kPa]\n"
+        "wild,0.188,12.66\njust,0.5,0.5\nless,0.5,0.499\nfar,0.188,0.2\nbare,0,0\n");
+  const Outcome outcome = compare("wild,5,0.01\njust,0.4,0\nless,0.4,0\nfar,5,0.01\nbare,0,0\n");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("differ by more than scatter and error together: far; not decided, since the "
+                                     "computed pressure is no larger than its error: wild, just\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("within both        2 yes, 1 no, 2 not decided\n"));
+  EXPECT_THAT(read("run/pressure-compared.csv"),
+              AllOf(HasSubstr("-4.812,not decided\njust,0.4,0,0.5,0.5,0.1,not decided\nless,0.4,0,0.5,0.499,0.1,yes\n"),
+                    HasSubstr("-4.812,no\nbare,0,0,0,0,0,yes\n")));
+  const Outcome open = compare("wild,5,0.01\n");
+  EXPECT_EQ(open.status, 4);
+  EXPECT_THAT(open.err, Not(HasSubstr("differ by more")));
+}
+
 // Measured values in mmHg are laid beside the same kPa.
 TEST_F(Compare, MeasuredInMmhg) {
   const Outcome outcome = compare("C,15.00124,0.375031\n", "name,pressure [mmHg],scatter [mmHg]");
@@ -127,6 +146,26 @@ TEST_F(Compare, Positions) {
       HasSubstr("measured.csv: \"sensor 1\" at (0, 90, 101) lies 30 mm from the body's skin; allowed are 20 mm"));
   write("measured.csv", "name,x [mm],y [mm],pressure [kPa],scatter [kPa]\nsensor 1,0,61.5,1.0931,0.01\n");
   EXPECT_THAT(toile("compare sleeve measured.csv").err, HasSubstr("measured.csv: there is no column \"z\""));
+}
+
+// The shown part of an endless body ends with the fabric, at its lower hem: no fabric lies beyond it, as none does at
+// the upper hem, beyond which the body is shown, and be the sensor's place 10 mm outside the skin.
+TEST_F(Compare, PositionsBeyondTheShownSkin) {
+  std::ifstream stream(TOILE_SOURCE_DIR "/input/benchmarks/sleeve-cylinder.xml");
+  write("scene.xml", std::string((std::istreambuf_iterator<char>(stream)), {}));
+  ASSERT_EQ(toile("run scene.xml --output sleeve").status, 0);
+  write("measured.csv",
+        "name,x [mm],y [mm],z [mm],pressure [kPa],scatter [kPa]\n"
+        "low hem,60,0,0.5,0.1849,0.001\nhigh hem,60,0,109.5,0.1849,0.001\nlifted,0,70,0.5,0.1849,0.001\n"
+        "tilted,42,43,0.5,0.1849,0.001\n1 below,60,0,-1,0,0\n2 below,0,60,-2,0,0\n15 below,42,43,-15,0,0\n"
+        "2 below and lifted,0,70,-2,0,0\n2 above,60,0,112,0,0\n");
+  const Outcome outcome = toile("compare sleeve measured.csv --output compared");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  for (const char* bare : {"1 below", "2 below", "15 below", "2 below and lifted", "2 above"})
+    EXPECT_THAT(outcome.out,
+                HasSubstr(std::string("note: no fabric lies at \"") + bare + "\", so 0 is computed there"));
+  for (const char* pressed : {"low hem", "high hem", "lifted", "tilted"})
+    EXPECT_THAT(outcome.out, Not(HasSubstr(std::string("lies at \"") + pressed)));
 }
 
 }  // namespace

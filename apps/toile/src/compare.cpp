@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 
 #include "body_input.hpp"
@@ -24,6 +25,9 @@ struct CompareArguments {
   std::string output;    ///< folder; empty: that of the run
 };
 
+/// What is said of one place, in the words of the table.
+const std::string yes = "yes", no = "no", not_decided = "not decided";
+
 /// Two lists of pressures at the same places.
 class Comparison {
  public:
@@ -31,15 +35,18 @@ class Comparison {
 
   std::size_t size() const { return computed_.values.size(); }
   double deviation(std::size_t i) const { return computed_.values[i] - measured_.pressures.values[i]; }
-  /// The two bars have a common point.
-  bool within(std::size_t i) const {
-    return std::abs(deviation(i)) <= measured_.pressures.errors[i] + computed_.errors[i];
+  /// Whether the two bars have a common point. A computed value that is no larger than its error would agree with
+  /// nothing pressing as well: then it is not decided.
+  const std::string& within(std::size_t i) const {
+    const double error = computed_.errors[i];
+    if (std::abs(deviation(i)) > measured_.pressures.errors[i] + error) return no;
+    return error > 0.0 && error >= computed_.values[i] ? not_decided : yes;
   }
-  /// Names of the places that are not, with commas.
-  std::string outside() const {
+  /// Names of the places of which this is said, with commas.
+  std::string places(const std::string& said) const {
     std::string names;
     for (std::size_t i = 0; i < size(); ++i)
-      if (!within(i)) names += (names.empty() ? "" : ", ") + computed_.names[i];
+      if (within(i) == said) names += (names.empty() ? "" : ", ") + computed_.names[i];
     return names;
   }
 
@@ -59,7 +66,7 @@ class Comparison {
     add("deviation", {});
     for (std::size_t i = 0; i < size(); ++i) {
       table.columns.back().values.push_back(deviation(i));
-      table.texts.emplace_back(within(i) ? "yes" : "no");
+      table.texts.push_back(within(i));
     }
     return table;
   }
@@ -73,19 +80,24 @@ class Comparison {
     };
     double sum = 0.0;
     std::size_t largest = 0;
+    std::map<std::string, int> count;
     for (std::size_t i = 0; i < size(); ++i) {
       const double d = deviation(i), m = measured_.pressures.values[i];
       rows.push_back({computed_.names[i], bar(measured_.pressures, i), bar(computed_, i), decimals(d, 3),
-                      decimals(base::kpa_to_mmhg(d), 2), m > 0.0 ? decimals(100.0 * d / m, 1) : "",
-                      within(i) ? "yes" : "no"});
+                      decimals(base::kpa_to_mmhg(d), 2), m > 0.0 ? decimals(100.0 * d / m, 1) : "", within(i)});
+      ++count[within(i)];
       sum += d;
       if (std::abs(d) > std::abs(deviation(largest))) largest = i;
     }
     const auto both_units = [](double kpa) {
       return decimals(kpa, 3) + " kPa, " + decimals(base::kpa_to_mmhg(kpa), 2) + " mmHg";
     };
-    return text_table(rows) + "mean deviation     " + both_units(sum / static_cast<double>(size())) +
-           "\nlargest deviation  " + both_units(deviation(largest)) + ", at " + computed_.names[largest] + "\n";
+    std::string counted;
+    for (const std::string& said : {yes, no, not_decided})
+      counted += (counted.empty() ? "" : ", ") + std::to_string(count[said]) + " " + said;
+    return text_table(rows) + "within both        " + counted + "\nmean deviation     " +
+           both_units(sum / static_cast<double>(size())) + "\nlargest deviation  " + both_units(deviation(largest)) +
+           ", at " + computed_.names[largest] + "\n";
   }
 
   result::Plot plot() const {
@@ -136,10 +148,14 @@ int compare(const CompareArguments& arguments) {
   result::write_csv(folder + "/" + compared_name + ".csv", comparison.table());
   if (const auto warning = result::write_plot(folder, compared_name, comparison.plot()))
     std::cerr << "toile: warning: " << *warning << std::endl;
-  const std::string outside = comparison.outside();
-  if (outside.empty()) return static_cast<int>(base::ExitCode::success);
-  throw base::Error(base::ExitCode::check_failed,
-                    "measured and computed pressure differ by more than scatter and error together: " + outside);
+  std::string faults;
+  if (const std::string outside = comparison.places(no); !outside.empty())
+    faults = "measured and computed pressure differ by more than scatter and error together: " + outside;
+  if (const std::string open = comparison.places(not_decided); !open.empty())
+    faults += (faults.empty() ? "" : "; ") +
+              ("not decided, since the computed pressure is no larger than its error: " + open);
+  if (faults.empty()) return static_cast<int>(base::ExitCode::success);
+  throw base::Error(base::ExitCode::check_failed, faults);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "toile/base/error.hpp"
 #include "toile/base/parameters.hpp"
 #include "toile/base/units.hpp"
+#include "toile/body/border.hpp"
 #include "toile/body/triangle_tree.hpp"
 #include "toile/result/body_map.hpp"
 #include "toile/result/results_file.hpp"
@@ -249,18 +250,32 @@ result::GarmentOnBody garment_of(const result::Results& results, const mesh::Mes
   return garment;
 }
 
-/// Where the positions lie on the facets that show the body.
+/// Where the positions lie on the skin, of which facets show a part.
 struct OnSkin {
   std::vector<body::Vec3> points, normals;
 };
 
+/// The place is on the facets' border, where the skin may go on although it is not shown.
+bool at_border(const body::TriangleTree::Hit& hit, const body::TriangleMesh& facets, const std::vector<char>& border) {
+  constexpr double none = 1e-9;
+  const std::array<int, 3>& corners = facets.triangles[static_cast<std::size_t>(hit.triangle)];
+  for (int k = 0; k < 3; ++k) {
+    const int corner = corners[static_cast<std::size_t>(k)];
+    if (hit.barycentric[k] > none && border[static_cast<std::size_t>(corner)] == 0) return false;
+  }
+  return true;
+}
+
 OnSkin on_skin(const MeasuredPlaces& measured, const result::Results& results) {
   constexpr double near = 20.0;  // mm
-  const body::TriangleTree tree(body_of(results));
+  const body::TriangleMesh facets = body_of(results);
+  const std::vector<char> border = body::border_vertices(facets);
+  const body::TriangleTree tree(facets);
   OnSkin skin;
   for (std::size_t i = 0; i < measured.positions.size(); ++i) {
     const auto& [x, y, z] = measured.positions[i];
-    const body::TriangleTree::Hit hit = tree.closest({x, y, z});
+    const body::Vec3 position(x, y, z);
+    const body::TriangleTree::Hit hit = tree.closest(position);
     if (hit.distance > near) {
       std::ostringstream text;
       text.precision(4);
@@ -268,8 +283,11 @@ OnSkin on_skin(const MeasuredPlaces& measured, const result::Results& results) {
            << ") lies " << hit.distance << " mm from the body's skin; allowed are " << near << " mm";
       throw base::InputError(text.str());
     }
-    skin.points.push_back(hit.point);
-    skin.normals.push_back(hit.pseudo_normal);
+    const body::Vec3& normal = hit.pseudo_normal;
+    // Beyond the border the closest place is the border itself, where fabric may lie that ends there.
+    skin.points.push_back(at_border(hit, facets, border) ? position - (position - hit.point).dot(normal) * normal
+                                                         : hit.point);
+    skin.normals.push_back(normal);
   }
   return skin;
 }

@@ -8,6 +8,7 @@
 
 #include "local_smoothing.hpp"
 #include "mesh_geometry.hpp"
+#include "toile/body/border.hpp"
 
 namespace toile::body {
 namespace {

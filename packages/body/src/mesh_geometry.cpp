@@ -69,16 +69,6 @@ std::vector<double> vertex_edge_lengths(const TriangleMesh& mesh) {
   return sums;
 }
 
-std::vector<char> border_vertices(const TriangleMesh& mesh) {
-  std::vector<char> border(mesh.vertices.size(), 0);
-  for (const MeshEdge& edge : mesh_edges(mesh.triangles)) {
-    if (edge.count() == 1) {
-      border[edge.a] = border[edge.b] = 1;
-    }
-  }
-  return border;
-}
-
 double mean_edge_length(const TriangleMesh& mesh) {
   double sum = 0.0, area = 0.0;
   const auto vectors = area_vectors(mesh);

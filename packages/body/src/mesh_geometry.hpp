@@ -55,9 +55,6 @@ std::vector<double> vertex_areas(const TriangleMesh& mesh);
 /// Mean length of the edges of the adjacent facets, weighted by their area, mm. Zero for unused vertices.
 std::vector<double> vertex_edge_lengths(const TriangleMesh& mesh);
 
-/// Marks the vertices on a border.
-std::vector<char> border_vertices(const TriangleMesh& mesh);
-
 /// mm, weighted by the area of the facets: the many small facets of a hand or a foot must not speak for the limb.
 double mean_edge_length(const TriangleMesh& mesh);
 
