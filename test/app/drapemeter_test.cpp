@@ -46,6 +46,24 @@ TEST_F(Drapemeter, TellsThatALightFabricStaysFlat) {
   for (const size_t quarter : {0, 1, 2, 3}) EXPECT_NEAR(number("out/shadow.csv", "radius", 360 * quarter), 150.0, 0.5);
 }
 
+// A shadow is told of a fabric whose middle the light's axis goes through, across it: 3 mm beside it or aslant there is
+// none.
+TEST_F(Drapemeter, RefusesAnAxisBesideTheMiddle) {
+  for (const std::string axis :
+       {R"("axis point" type="Array(double)" value = "{3, 0, 0})",
+                                             R"("axis direction" type="Array(double)" value = "{0.1, 0, 1})"}) {
+    write("beside.xml", R"xml(<ParameterList name="scene">
+      <Parameter name="include" type="Array(string)" value="{)xml" TOILE_SOURCE_DIR
+                        R"xml(/input/benchmarks/drape-cotton.xml}"/>
+      <ParameterList name="Output"><Parameter name=)xml" +
+                            axis + R"xml("/></ParameterList></ParameterList>)xml");
+    const Outcome outcome = toile("check beside.xml");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("scene > Output > Drapemeter"));
+    EXPECT_THAT(outcome.err, HasSubstr("axis of \"Output\""));
+  }
+}
+
 // A coefficient that a check does not allow ends the run with status 4.
 TEST_F(Drapemeter, IsChecked) {
   const Outcome outcome = hang(0.5, 0.98);

@@ -144,6 +144,21 @@ TEST(Landmarks, OtherFront) {
               HasSubstr("the feet of the body point towards +y; landmarks are found on a body that looks towards -y"));
 }
 
+// Without feet nothing refuses a body that looks backwards: that nothing stands out in front of its chest is said.
+TEST(Landmarks, BackwardsWithoutFeet) {
+  const auto without_feet = [](double side) {
+    return moved([side](const Vec3& v) {
+      const double z = std::max(v.z(), 60.0);  // the feet become flat ends
+      return v.z() < 60.0 ? Vec3(side * v.x(), side * 20.0, z + 0.01 * (v.z() - 60.0))
+                          : Vec3(side * v.x(), side * v.y(), z);
+    });
+  };
+  EXPECT_TRUE(body::find_landmarks(without_feet(1.0)).warnings.empty());
+  const Landmarks backwards = body::find_landmarks(without_feet(-1.0));
+  ASSERT_EQ(backwards.warnings.size(), 1u);
+  EXPECT_THAT(backwards.warnings.front(), HasSubstr("does it look towards +y?"));
+}
+
 // Of a trunk without legs, arms and head each landmark is missing with its own reason.
 TEST(Landmarks, WithoutLimbs) {
   std::vector<Vec3> outline;

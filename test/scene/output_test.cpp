@@ -111,10 +111,20 @@ TEST(Output, DrapemeterOfAnotherFabricIsRefused) {
   add_drapemeter(other, 40.0, 100.0);
   EXPECT_THAT(input_error(other), HasSubstr("the panels have an area of 20000 mm^2; the whole fabric has 31415.9 mm^2, "
                                             "its ring beyond the disc 26389.4 mm^2"));
-  ParameterList ring = flat_scene();
-  add_drapemeter(ring, 60.0, 100.0);  // 20106 mm^2 beyond the disc
-  EXPECT_DOUBLE_EQ(build(ring)->output().drapemeter->coefficient(M_PI * 100.0 * 100.0), 1.0);
-  EXPECT_NEAR(build(ring)->output().drapemeter->coefficient(M_PI * 60.0 * 60.0), 0.0, 1e-12);
+  ParameterList rectangle = flat_scene();
+  add_drapemeter(rectangle, 60.0, 100.0);  // 20106 mm^2 beyond the disc, which the rectangle has too
+  EXPECT_THAT(input_error(rectangle), HasSubstr("mm from the axis of \"Output\" (\"axis point\", \"axis direction\")"));
+  const Drapemeter ring{60.0, 100.0};
+  EXPECT_DOUBLE_EQ(ring.coefficient(M_PI * 100.0 * 100.0), 1.0);
+  EXPECT_NEAR(ring.coefficient(M_PI * 60.0 * 60.0), 0.0, 1e-12);
+}
+
+// A check without a bound would hold whatever comes out.
+TEST(Output, CheckWithoutABoundIsRefused) {
+  ParameterList list = tube_scene();
+  list.sublist("Checks").sublist("gap").set("quantity", std::string("largest gap"));
+  EXPECT_THAT(input_error(list), HasSubstr("scene > Checks > gap: parameter \"lower\""));
+  EXPECT_THAT(input_error(list), HasSubstr("a check without a bound always holds"));
 }
 
 // Light falls along a straight axis.

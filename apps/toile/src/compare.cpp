@@ -36,11 +36,11 @@ class Comparison {
   std::size_t size() const { return computed_.values.size(); }
   double deviation(std::size_t i) const { return computed_.values[i] - measured_.pressures.values[i]; }
   /// Whether the two bars have a common point. A computed value that is no larger than its error would agree with
-  /// nothing pressing as well: then it is not decided.
+  /// nothing pressing as well: then it is not decided, unless its error is within the scatter of the measured one.
   const std::string& within(std::size_t i) const {
     const double error = computed_.errors[i];
     if (std::abs(deviation(i)) > measured_.pressures.errors[i] + error) return no;
-    return error > 0.0 && error >= computed_.values[i] ? not_decided : yes;
+    return error > std::max(measured_.pressures.errors[i], 0.0) && error >= computed_.values[i] ? not_decided : yes;
   }
   /// Names of the places of which this is said, with commas.
   std::string places(const std::string& said) const {
