@@ -49,9 +49,8 @@ TEST_F(Drapemeter, TellsThatALightFabricStaysFlat) {
 // A shadow is told of a fabric whose middle the light's axis goes through, across it: 3 mm beside it or aslant there is
 // none.
 TEST_F(Drapemeter, RefusesAnAxisBesideTheMiddle) {
-  for (const std::string axis :
-       {R"("axis point" type="Array(double)" value = "{3, 0, 0})",
-                                             R"("axis direction" type="Array(double)" value = "{0.1, 0, 1})"}) {
+  for (const std::string axis : {R"x("axis point" type="Array(double)" value="{3, 0, 0})x",
+                                 R"x("axis direction" type="Array(double)" value="{0.1, 0, 1})x"}) {
     write("beside.xml", R"xml(<ParameterList name="scene">
       <Parameter name="include" type="Array(string)" value="{)xml" TOILE_SOURCE_DIR
                         R"xml(/input/benchmarks/drape-cotton.xml}"/>
