@@ -7,6 +7,7 @@
 #include "body/figures.hpp"
 #include "toile/base/error.hpp"
 #include "toile/body/import.hpp"
+#include "toile/body/mannequin.hpp"
 
 namespace toile::test {
 namespace {
@@ -144,17 +145,13 @@ TEST(Landmarks, OtherFront) {
               HasSubstr("the feet of the body point towards +y; landmarks are found on a body that looks towards -y"));
 }
 
-// Without feet nothing refuses a body that looks backwards: that nothing stands out in front of its chest is said.
+// A mannequin has no feet, so nothing refuses one that looks backwards: that nothing stands out in front of its chest
+// is said.
 TEST(Landmarks, BackwardsWithoutFeet) {
-  const auto without_feet = [](double side) {
-    return moved([side](const Vec3& v) {
-      const double z = std::max(v.z(), 60.0);  // the feet become flat ends
-      return v.z() < 60.0 ? Vec3(side * v.x(), side * 20.0, z + 0.01 * (v.z() - 60.0))
-                          : Vec3(side * v.x(), side * v.y(), z);
-    });
-  };
-  EXPECT_TRUE(body::find_landmarks(without_feet(1.0)).warnings.empty());
-  const Landmarks backwards = body::find_landmarks(without_feet(-1.0));
+  body::TriangleMesh mannequin = body::make_mannequin(shipped_body(), body::complete_measurements({}), {}).mesh;
+  EXPECT_TRUE(body::find_landmarks(mannequin).warnings.empty());
+  for (Vec3& v : mannequin.vertices) v = Vec3(-v.x(), -v.y(), v.z());
+  const Landmarks backwards = body::find_landmarks(mannequin);
   ASSERT_EQ(backwards.warnings.size(), 1u);
   EXPECT_THAT(backwards.warnings.front(), HasSubstr("does it look towards +y?"));
 }
