@@ -1,5 +1,6 @@
 #include "file_kind.hpp"
 #include "toile/base/error.hpp"
+#include "toile/body/border.hpp"
 #include "toile/body/import.hpp"
 #include "toile/body/landmarks.hpp"
 #include "toile/body/mannequin.hpp"
@@ -39,6 +40,9 @@ double tape_girth(const std::vector<Vec3>& /*points*/, const Vec3& /*normal*/) {
   refuse();
 }
 Extent extent_of(const TriangleMesh& /*mesh*/) {
+  refuse();
+}
+std::vector<char> border_vertices(const TriangleMesh& /*mesh*/) {
   refuse();
 }
 Mannequin make_mannequin(const TriangleMesh& /*body*/, const std::vector<Measurement>& /*measurements*/,
