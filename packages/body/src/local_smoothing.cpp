@@ -15,7 +15,7 @@ namespace {
 constexpr double length_by_bend = 0.065;
 constexpr double least_smoothing = 1e-3;  ///< against the modes that no vertex sees
 /// Radians by which normals turn towards each other from one cell to the next, averaged over four: more is too narrow a
-/// fold. Above it lie armpit, crotch and the clefts of a real body, below it the hollows of knee, ankle and waist.
+/// fold. Above it lie the bottoms of armpit, crotch and clefts of a real body, below it its other hollows.
 constexpr double most_hollow = 0.5;
 
 /// Sums over the samples near a cell.
