@@ -2,7 +2,6 @@
 
 #include "read_output.hpp"
 #include "toile/mesh/find_nodes.hpp"
-#include "toile/solve/spec.hpp"
 
 namespace toile::scene {
 
@@ -13,16 +12,11 @@ void check(const base::List& entry, const std::string& on, const mesh::Mesh& mes
   if (!found.problem.empty()) entry.fail("on", found.problem);
 }
 
-std::vector<base::List> entries_of(const base::List& list, const std::string& name) {
-  return list.has_list(name) ? list.list(name).entries() : std::vector<base::List>();
-}
-
 }  // namespace
 
 void check_nodes(const base::List& scene, const mesh::Mesh& mesh) {
   for (const base::List& support : entries_of(scene, "Supports"))
     for (const std::string& name : support.words("on")) check(support, name, mesh);
-  if (scene.has_list("Loads")) solve::read_loads(scene.list("Loads"), mesh);
   if (!scene.has_list("Output")) return;
   for (const base::List& point : entries_of(scene.list("Output"), "Points")) {
     const std::string& on = point.word("on");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pressure_line.hpp"
+#include "tester_kind.hpp"
 #include "toile/base/error.hpp"
 #include "toile/crossing/crossings.hpp"
 #include "toile/garment/bent_axis.hpp"
@@ -113,14 +114,37 @@ bool moves_as_one(const solve::Support& support) {
   return true;
 }
 
-TesterPlaces tester_places(const Output& output, const solve::Problem& problem) {
-  TesterPlaces places;
-  for (const solve::Support& support : problem.supports) places.supports.push_back(support.name);
-  for (const Level& level : output.levels) places.levels.push_back(level.name);
-  return places;
+ForceCurve read_force_curve(const base::List& entry, const base::Texts& supports) {
+  const auto at = std::find(supports.begin(), supports.end(), existing(entry, "support", supports));
+  return {entry.name(), static_cast<int>(at - supports.begin()), entry.real("length")};
+}
+
+void check_direction(const base::List& entry, const solve::Support& support) {
+  if (support.turn)
+    entry.fail("support",
+               "this support turns, and its torque is in torques.csv; force curves are of supports that \"move by\" "
+               "only");
+  if (!moves_as_one(support))
+    entry.fail("support",
+               "its nodes move in different directions, along the limb; a force curve has one direction. Give the "
+               "support \"hold\" = \"direction\"");
+}
+
+bool has_drapemeter(const base::List& scene) {
+  return scene.has_list("Output") && scene.list("Output").has_list("Drapemeter");
 }
 
 }  // namespace
+
+std::vector<base::List> entries_of(const base::List& list, const std::string& name) {
+  return list.has_list(name) ? list.list(name).entries() : std::vector<base::List>();
+}
+
+base::Texts names_of(const base::List& list, const std::string& name) {
+  base::Texts names;
+  for (const base::List& entry : entries_of(list, name)) names.push_back(entry.name());
+  return names;
+}
 
 int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
   const std::string& name = list.word(parameter);
@@ -134,7 +158,9 @@ int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string&
   return edge->second[static_cast<size_t>(std::lround(at))];
 }
 
-Output read_output(const base::List& list, const solve::Problem& problem) {
+Output read_output(const base::List& scene) {
+  const base::List list = scene.list("Output");
+  const bool with_body = scene.has_list("Body");
   Output out;
   out.axis_point = vector_of(list, "axis point");
   out.axis_direction = vector_of(list, "axis direction");
@@ -142,71 +168,54 @@ Output read_output(const base::List& list, const solve::Problem& problem) {
   if (list.given("axis")) {
     for (const char* other : {"axis point", "axis direction"})
       if (list.given(other)) list.fail(other, "goes with a straight axis; give it or \"axis\", not both");
+    if (list.has_list("Drapemeter"))
+      list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");
     out.bent_axis = garment::read_bent_axis(list);
   } else if (list.given("smoothing")) {
     list.fail("smoothing", "rounds the corners of \"axis\", which is not given");
   }
   out.stations = list.integer("stations");
   if (out.stations == 1) list.fail("stations", "a curve needs at least 2 points; 0: no curve");
-  if (problem.surface == nullptr && out.stations > 0) list.fail("stations", no_body);
+  if (!with_body && out.stations > 0) list.fail("stations", no_body);
   if (list.given("body size")) out.body_size = list.real("body size");
-  try {
-    if (problem.surface != nullptr) problem.surface->triangles(out.body_size.value_or(formula_body_size));
-  } catch (const base::InputError& error) {
-    list.fail("body size", error.what());
-  }
   out.crossings = list.flag("crossings");
   if (out.crossings && list.given("crossings") && !crossing::available())
     list.fail("crossings", "needs CGAL, and this program was built without it (configured with TOILE_ENABLE_BODY=OFF)");
-  if (list.has_list("Levels"))
-    for (const base::List& entry : list.list("Levels").entries())
-      out.levels.push_back({entry.name(), entry.real("height")});
-  if (problem.surface == nullptr && !out.levels.empty()) list.list("Levels").entries().front().fail("height", no_body);
-  if (list.has_list("Force curves"))
-    for (const base::List& entry : list.list("Force curves").entries()) {
-      ForceCurve curve{entry.name(), -1, entry.real("length")};
-      base::Texts valid;
-      for (size_t s = 0; s < problem.supports.size(); ++s) {
-        valid.push_back(problem.supports[s].name);
-        if (problem.supports[s].name == entry.word("support")) curve.support = static_cast<int>(s);
-      }
-      if (curve.support < 0) entry.fail("support", unknown("support", entry.word("support"), valid));
-      const solve::Support& support = problem.supports[static_cast<size_t>(curve.support)];
-      if (support.turn)
-        entry.fail("support",
-                   "this support turns, and its torque is in torques.csv; force curves are of supports that "
-                   "\"move by\" only");
-      if (!moves_as_one(support))
-        entry.fail("support",
-                   "its nodes move in different directions, along the limb; a force curve has one direction. Give the "
-                   "support \"hold\" = \"direction\"");
-      out.force_curves.push_back(curve);
-    }
-  if (list.has_list("Distances"))
-    for (const base::List& entry : list.list("Distances").entries())
-      out.distances.push_back(
-          {entry.name(), edge_node(entry, *problem.mesh, "first"), edge_node(entry, *problem.mesh, "second")});
-  if (list.has_list("Points"))
-    for (const base::List& entry : list.list("Points").entries())
-      out.points.push_back(read_point(entry, *problem.mesh));
-  if (list.has_list("Body points"))
-    for (const base::List& entry : list.list("Body points").entries())
-      out.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));
-  if (list.has_list("Lines")) out.lines = read_lines(list.list("Lines"), problem.surface, out);
-  if (list.has_list("Testers"))
-    for (const base::List& entry : list.list("Testers").entries())
-      out.testers.push_back(read_tester(entry, tester_places(out, problem)));
-  if (list.has_list("Drapemeter")) {
-    if (out.bent_axis)
-      list.fail("axis", "does not go with the list \"Drapemeter\", whose light falls along a straight one");
-    out.drapemeter = read_drapemeter(list.list("Drapemeter"), *problem.mesh, {out.axis_point, out.axis_direction});
+  for (const base::List& entry : entries_of(list, "Levels")) {
+    if (!with_body) entry.fail("height", no_body);
+    out.levels.push_back({entry.name(), entry.real("height")});
   }
+  const TesterPlaces places = {names_of(scene, "Supports"), names_of(list, "Levels")};
+  for (const base::List& entry : entries_of(list, "Force curves"))
+    out.force_curves.push_back(read_force_curve(entry, places.supports));
+  for (const base::List& entry : entries_of(list, "Testers")) out.testers.push_back(read_tester(entry, places));
   return out;
 }
 
-std::vector<Check> read_checks(const base::List& list, const Output& output, bool with_body) {
+void find_places(const base::List& list, const solve::Problem& problem, Output& output) {
+  try {
+    if (problem.surface != nullptr) problem.surface->triangles(output.body_size.value_or(formula_body_size));
+  } catch (const base::InputError& error) {
+    list.fail("body size", error.what());
+  }
+  for (size_t c = 0; c < output.force_curves.size(); ++c)
+    check_direction(list.list("Force curves").entries()[c],
+                    problem.supports[static_cast<size_t>(output.force_curves[c].support)]);
+  for (const base::List& entry : entries_of(list, "Distances"))
+    output.distances.push_back(
+        {entry.name(), edge_node(entry, *problem.mesh, "first"), edge_node(entry, *problem.mesh, "second")});
+  for (const base::List& entry : entries_of(list, "Points")) output.points.push_back(read_point(entry, *problem.mesh));
+  for (const base::List& entry : entries_of(list, "Body points"))
+    output.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));
+  if (list.has_list("Lines")) output.lines = read_lines(list.list("Lines"), problem.surface, output);
+  if (list.has_list("Drapemeter"))
+    output.drapemeter =
+        read_drapemeter(list.list("Drapemeter"), *problem.mesh, {output.axis_point, output.axis_direction});
+}
+
+std::vector<Check> read_checks(const base::List& scene, const Output& output) {
   std::vector<Check> checks;
-  for (const base::List& entry : list.entries()) {
+  for (const base::List& entry : entries_of(scene, "Checks")) {
     Check check{entry.name(), entry.word("quantity"), entry.real("lower"), entry.real("upper")};
     if (check.lower > check.upper) entry.fail("lower", "must not be above \"upper\"");
     check.sections = sections_of(entry, output);
@@ -214,28 +223,30 @@ std::vector<Check> read_checks(const base::List& list, const Output& output, boo
     if (!check.compression && !entry.given("lower") && !entry.given("upper"))
       entry.fail("lower", "is missing, and \"upper\" too: a check without a bound always holds");
     const bool of_contact = check.quantity == "largest pressure" || check.quantity == "largest gap";
-    if (!with_body && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
-    if (is_one_of(drape_quantities, check.quantity) && !output.drapemeter)
+    if (!scene.has_list("Body") && (of_contact || !check.sections.empty())) entry.fail("quantity", no_body);
+    if (is_one_of(drape_quantities, check.quantity) && !has_drapemeter(scene))
       entry.fail("quantity", "needs the list \"Output > Drapemeter\"");
     checks.push_back(check);
   }
   return checks;
 }
 
-Accuracy read_accuracy(const base::List& list, const Output& output, bool with_body) {
-  if (!with_body) list.fail("error", no_body);
+Accuracy read_accuracy(const base::List& scene) {
+  const base::List list = scene.list("Accuracy");
+  if (!scene.has_list("Body")) list.fail("error", no_body);
   base::Texts levels, all;
-  for (const Level& level : output.levels) levels.push_back(level.name);
-  all = levels;
-  for (const Point& point : output.points) all.push_back(point.title);
-  for (const BodyPoint& point : output.body_points) all.push_back(point.title);
+  if (scene.has_list("Output")) {
+    const base::List output = scene.list("Output");
+    all = levels = names_of(output, "Levels");
+    for (const char* points : {"Points", "Body points"})
+      for (const std::string& name : names_of(output, points)) all.push_back(name);
+  }
   if (all.empty())
     list.fail("at",
               "the list \"Output\" names no level, point or body point, so there is no pressure whose error counts");
   Accuracy accuracy{0.01 * list.real("error"), list.words("at"), list.integer("most runs"), list.integer("most nodes")};
   for (const std::string& name : accuracy.at)
-    if (std::find(all.begin(), all.end(), name) == all.end())
-      list.fail("at", unknown("level, point or body point", name, all));
+    if (!is_one_of(all, name)) list.fail("at", unknown("level, point or body point", name, all));
   if (accuracy.at.empty()) accuracy.at = levels.empty() ? all : levels;
   return accuracy;
 }

@@ -6,11 +6,19 @@
 
 namespace toile::scene {
 
-Output read_output(const base::List& list, const solve::Problem& problem);
+/// Of a list that may be missing.
+std::vector<base::List> entries_of(const base::List& list, const std::string& name);
+base::Texts names_of(const base::List& list, const std::string& name);
+
+/// Of the list "Output" what needs neither the garment nor the body, so that it can be refused before they are there.
+/// `scene`: the outermost list, here and below.
+Output read_output(const base::List& scene);
+/// Adds the rest: what lies on the garment and on the body. `list`: "Output".
+void find_places(const base::List& list, const solve::Problem& problem, Output& output);
 /// Of an entry of "Distances", `parameter`: "first" or "second". Throws base::InputError if it is no edge.
 int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter);
-/// `with_body`: without one there is no pressure and no gap to check.
-std::vector<Check> read_checks(const base::List& list, const Output& output, bool with_body);
-Accuracy read_accuracy(const base::List& list, const Output& output, bool with_body);
+/// `output`: what read_output found.
+std::vector<Check> read_checks(const base::List& scene, const Output& output);
+Accuracy read_accuracy(const base::List& scene);
 
 }  // namespace toile::scene

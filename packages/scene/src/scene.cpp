@@ -76,8 +76,12 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     : title_(list.word("title")) {
   // A body takes the longest to read; what does not need it is checked before.
   read_materials(list, laws);
-  stages_ = solve::read_stages(list.list("Stages"));
+  read_stages(list);
   if (const auto solver = optional_list(list, "Solver")) solver_ = solve::read_solver(*solver);
+  const auto output = optional_list(list, "Output");
+  if (output) output_ = read_output(list);
+  checks_ = read_checks(list, output_);
+  if (list.has_list("Accuracy")) accuracy_ = read_accuracy(list);
   garment::CutGarment cut = cut_garment(list, timer);
   {
     const auto phase = timer.phase("body");
@@ -95,38 +99,46 @@ Scene::Scene(const base::List& list, int ranks, base::Timer& timer, const materi
     drape_garment(list, *drape);
   }
   build_models(list);
-  for (const solve::StageOptions& stage : stages_) {
-    sews_ = sews_ || stage.kind->closes_seams();
-    damps_ = damps_ || stage.damping.active;
-  }
-  for (size_t k = 0; k < stages_.size(); ++k)
-    if (stages_[k].arc_length && surface_ != nullptr)
-      list.list("Stages").entries()[k].fail(
-          "continuation", "must be \"natural\" in a scene with a body: what is in contact may change along a step");
-  if (sews_ && garment_.seams.empty()) fail_sewing(list.list("Stages"));
   {
     const auto phase = timer.phase("partition");
     build_problem(list, ranks);
   }
   try {
-    if (const auto output = optional_list(list, "Output")) output_ = read_output(*output, problem_);
+    if (output) find_places(*output, problem_, output_);
   } catch (const base::InputError& error) {
     // A pattern of another size has its points elsewhere, and is the reason to be told first.
     if (drape_fault_.empty()) throw;
     throw base::InputError(drape_fault_ + "\n" + error.what());
   }
   problem_.crossings = output_.crossings && crossing::available();
-  if (const auto checks = optional_list(list, "Checks")) checks_ = read_checks(*checks, output_, surface_ != nullptr);
-  if (const auto accuracy = optional_list(list, "Accuracy"))
-    accuracy_ = read_accuracy(*accuracy, output_, surface_ != nullptr);
   list_modules(ranks);
 }
 
-garment::CutGarment Scene::cut_garment(const base::List& list, base::Timer& timer) const {
+void Scene::read_stages(const base::List& list) {
+  const base::List stages = list.list("Stages");
+  stages_ = solve::read_stages(stages);
+  for (size_t k = 0; k < stages_.size(); ++k) {
+    sews_ = sews_ || stages_[k].kind->closes_seams();
+    damps_ = damps_ || stages_[k].damping.active;
+    if (stages_[k].arc_length && list.has_list("Body"))
+      stages.entries()[k].fail(
+          "continuation", "must be \"natural\" in a scene with a body: what is in contact may change along a step");
+  }
+  solve::check_released(stages, names_of(list, "Supports"));
+}
+
+garment::CutGarment Scene::cut_garment(const base::List& list, base::Timer& timer) {
   const auto phase = timer.phase("garment");
   const auto seams = optional_list(list, "Seams");
   garment::CutGarment cut = garment::cut_garment(list.list("Panels"), seams ? &*seams : nullptr);
-  check_nodes(list, cut.garment.mesh);
+  const mesh::Mesh& mesh = cut.garment.mesh;
+  check_nodes(list, mesh);
+  if (sews_ && cut.garment.seams.empty()) fail_sewing(list.list("Stages"));
+  if (const auto loads = optional_list(list, "Loads")) {
+    solve::Loads read = solve::read_loads(*loads, mesh);
+    problem_.loads = std::move(read.nodal);
+    problem_.pressures = std::move(read.pressures);
+  }
   return cut;
 }
 
@@ -224,12 +236,7 @@ void Scene::build_problem(const base::List& list, int ranks) {
     check_shells_of_supports(*supports);
   }
   solve::check_supports(supports ? &*supports : nullptr, list.list("Stages"), problem_);
-  if (const auto loads = optional_list(list, "Loads")) {
-    solve::Loads read = solve::read_loads(*loads, garment_.mesh);
-    problem_.loads = std::move(read.nodal);
-    problem_.pressures = std::move(read.pressures);
-    check_shells_of_moments(*loads);
-  }
+  if (const auto loads = optional_list(list, "Loads")) check_shells_of_moments(*loads);
   solve::find_path_targets(list.list("Stages"), problem_, stages_);
   if (const auto contact = optional_list(list, "Contact")) {
     if (surface_ == nullptr)

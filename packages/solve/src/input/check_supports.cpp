@@ -72,26 +72,19 @@ void check_directors(const Problem& problem, const std::set<std::string>& releas
   }
 }
 
-void check_released(const base::List& stage, const base::Texts& names) {
-  for (const std::string& name : stage.words("release")) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string near = base::nearest_name(name, names);
-    std::string all;
-    for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
-    stage.fail("release", "no support is named \"" + name + "\"" +
-                              (near.empty() ? "." : "; did you mean \"" + near + "\"?") +
-                              (all.empty() ? " The scene has no supports" : " Valid here: " + all));
-  }
-}
-
 }  // namespace
 
+void check_released(const base::List& stages, const base::Texts& supports) {
+  for (const base::List& stage : stages.entries())
+    for (const std::string& name : stage.words("release"))
+      if (std::find(supports.begin(), supports.end(), name) == supports.end())
+        stage.fail("release", "no support is named \"" + name + "\"" +
+                                  (supports.empty() ? ". The scene has no supports" : base::hint(name, supports)));
+}
+
 void check_supports(const base::List* supports, const base::List& stages, const Problem& problem) {
-  base::Texts names;
-  for (const Support& support : problem.supports) names.push_back(support.name);
   std::set<std::string> released;
   for (const base::List& stage : stages.entries()) {
-    check_released(stage, names);
     released.insert(stage.words("release").begin(), stage.words("release").end());
     Held held;
     if (const auto found = hold_positions(problem, released, held))

@@ -133,7 +133,8 @@ class Scene {
   const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
-  garment::CutGarment cut_garment(const base::List& list, base::Timer& timer) const;
+  void read_stages(const base::List& list);
+  garment::CutGarment cut_garment(const base::List& list, base::Timer& timer);
   std::vector<drape::Held> held_while_draped(const base::List& scene) const;
   void drape_garment(const base::List& scene, const base::List& list);
   void read_materials(const base::List& list, const material::Laws& laws);

@@ -18,6 +18,9 @@ std::vector<StageOptions> read_stages(const base::List& list);
 /// base::InputError.
 void find_path_targets(const base::List& list, const Problem& problem, std::vector<StageOptions>& stages);
 
+/// Refuses a stage that releases what is none of the supports of these names. Throws base::InputError.
+void check_released(const base::List& stages, const base::Texts& supports);
+
 /// List "Solver".
 base::Spec solver_spec();
 SolverOptions read_solver(const base::List& list);
@@ -31,7 +34,7 @@ ContactOptions read_contact(const base::List& list);
 base::Spec supports_spec();
 std::vector<Support> read_supports(const base::List& list, const Problem& problem);
 
-/// Refuses a stage that releases what is no support, and supports that move the same node differently while both hold.
+/// Refuses supports that move the same node differently while both hold.
 /// `supports`: the list that `problem.supports` was read from, null if there is none. Throws base::InputError.
 void check_supports(const base::List* supports, const base::List& stages, const Problem& problem);
 
