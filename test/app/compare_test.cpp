@@ -112,11 +112,25 @@ TEST_F(Compare, BadInput) {
   expect_refused(compare("B,2.8,0.1\n", "name,pressure [Pa],scatter [kPa]"),
                  "has the unit \"Pa\"; allowed in its title: [kPa], [mmHg]");
   expect_refused(compare("B,2.8,0.1\n", "name,pressure [kPa],scater [kPa]"),
-                 "no column \"scatter\"; did you mean \"scater\"?");
+                 "measured.csv, line 1: there is no column \"scatter\"; is it \"scater\"? (found: name, pressure, "
+                 "scater)");
+  expect_refused(compare("B,2.8\n", "name,pressure [kPa]"), "no column \"scatter\" (found: name, pressure)\n");
   expect_refused(compare("B,2.8,-0.1\n"), "line 2, column 3 \"scatter\": \"-0.1\", expected 0 or more");
   expect_refused(compare(""), "no pressure follows the line of titles");
   expect_refused(compare("2 back,1,0.1\n"), "pressure-points.csv, line 3, column 3 \"its error\": the cell is empty");
   expect_refused(toile("compare nowhere measured.csv"), "neither pressure-levels.csv nor pressure-points.csv is there");
+}
+
+// Rows with a position and rows without one are not mixed, and each has a name; columns without any position do no
+// harm.
+TEST_F(Compare, NamesAndPositionsMixed) {
+  const std::string titles = "name,x [mm],y [mm],z [mm],pressure [kPa],scatter [kPa]";
+  expect_refused(compare("B,,,,2.8,0.15\nknee,60,0,110,1,0.1\n", titles),
+                 "measured.csv: line 3 has a position x, y, z, and line 2 has none");
+  expect_refused(compare("knee,60,,110,1,0.1\n", titles), "line 2, column 3 \"y\": the cell is empty");
+  expect_refused(compare(",60,0,110,1,0.1\n", titles),
+                 "line 2, column 1 \"name\": the cell is empty; give each place a name");
+  EXPECT_EQ(compare("B,,,,2.8,0.15\n", titles).status, 0);
 }
 
 // Places that are given by positions: what the run shows on its body there, T/r of the sleeve and nothing beyond it.
@@ -145,7 +159,7 @@ TEST_F(Compare, Positions) {
       toile("compare sleeve measured.csv").err,
       HasSubstr("measured.csv: \"sensor 1\" at (0, 90, 101) lies 30 mm from the body's skin; allowed are 20 mm"));
   write("measured.csv", "name,x [mm],y [mm],pressure [kPa],scatter [kPa]\nsensor 1,0,61.5,1.0931,0.01\n");
-  EXPECT_THAT(toile("compare sleeve measured.csv").err, HasSubstr("measured.csv: there is no column \"z\""));
+  EXPECT_THAT(toile("compare sleeve measured.csv").err, HasSubstr("measured.csv, line 1: there is no column \"z\""));
 }
 
 // The shown part of an endless body ends with the fabric, at its lower hem: no fabric lies beyond it, as none does at

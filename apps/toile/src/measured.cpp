@@ -34,11 +34,15 @@ const std::vector<ResultFile> result_files = {
 /// The column of that name, of the first unit if a file has it in several. Throws InputError if there is none.
 const CsvColumn& column(const CsvFile& file, const std::string& name) {
   base::Texts names;
+  std::string all;
   for (const CsvColumn& column : file.columns) {
     if (column.name == name) return column;
     names.push_back(column.name);
+    all += (all.empty() ? "" : ", ") + column.name;
   }
-  throw base::InputError(file.path + ": there is no column \"" + name + "\"" + base::hint(name, names));
+  const std::string near = base::nearest_name(name, names);
+  throw base::InputError(file.path + ", line " + std::to_string(file.title_line) + ": there is no column \"" + name +
+                         "\"" + (near.empty() ? "" : "; is it \"" + near + "\"?") + " (found: " + all + ")");
 }
 
 bool has_column(const CsvFile& file, const std::string& name) {
@@ -65,18 +69,41 @@ void refuse_negative(const CsvFile& file, const CsvColumn& column, const std::ve
                              "\", expected 0 or more");
 }
 
+/// Whether a row has a position, or a part of one, in the columns of x, y and z. Throws InputError if some rows have
+/// one and others have none.
+bool have_positions(const CsvFile& file, const std::array<const CsvColumn*, 3>& xyz) {
+  std::array<int, 2> line = {0, 0};  // [has one] the first of those
+  for (std::size_t row = 0; row < file.lines.size(); ++row) {
+    const bool has = std::any_of(xyz.begin(), xyz.end(), [&](const CsvColumn* c) { return !c->cells[row].empty(); });
+    if (line[has] == 0) line[has] = file.lines[row];
+  }
+  if (line[0] != 0 && line[1] != 0)
+    throw base::InputError(file.path + ": line " + std::to_string(line[1]) + " has a position x, y, z, and line " +
+                           std::to_string(line[0]) +
+                           " has none: places are either on the body by their positions, or levels and points of the "
+                           "run by their names; give each line a position, or write two files");
+  return line[1] != 0;
+}
+
 std::vector<std::array<double, 3>> positions_of(const CsvFile& file) {
   const std::array<std::string, 3> titles = {"x", "y", "z"};
   if (std::none_of(titles.begin(), titles.end(), [&](const std::string& title) { return has_column(file, title); }))
     return {};
+  const std::array<const CsvColumn*, 3> xyz = {&column(file, "x"), &column(file, "y"), &column(file, "z")};
+  if (!have_positions(file, xyz)) return {};
   std::vector<std::array<double, 3>> positions(file.lines.size());
-  for (std::size_t k = 0; k < titles.size(); ++k) {
-    const CsvColumn& coordinate = column(file, titles[k]);
-    if (coordinate.unit != "mm") refuse_unit(file, coordinate, "[mm]");
-    const std::vector<double> values = base::numbers(file, coordinate);
+  for (std::size_t k = 0; k < xyz.size(); ++k) {
+    if (xyz[k]->unit != "mm") refuse_unit(file, *xyz[k], "[mm]");
+    const std::vector<double> values = base::numbers(file, *xyz[k]);
     for (std::size_t i = 0; i < values.size(); ++i) positions[i][k] = values[i];
   }
   return positions;
+}
+
+void refuse_nameless(const CsvFile& file, const CsvColumn& name) {
+  for (std::size_t row = 0; row < name.cells.size(); ++row)
+    if (name.cells[row].empty())
+      throw base::InputError(base::place(file, file.lines[row], name) + "the cell is empty; give each place a name");
 }
 
 /// A measured quantity in several units, or twice in one, could mean several things.
@@ -317,6 +344,7 @@ MeasuredPlaces read_measured(const std::string& path) {
   const CsvColumn &pressure = column(file, "pressure"), &scatter = column(file, "scatter");
   MeasuredPlaces measured{
       path, {column(file, "name").cells, kilopascals(file, pressure), kilopascals(file, scatter)}, positions_of(file)};
+  refuse_nameless(file, column(file, "name"));
   if (measured.pressures.names.empty()) throw base::InputError(path + ": no pressure follows the line of titles");
   refuse_negative(file, pressure, measured.pressures.values);
   refuse_negative(file, scatter, measured.pressures.errors);
