@@ -47,6 +47,12 @@ TEST_F(Compare, PlacesWithinBothScatters) {
     EXPECT_TRUE(exists(std::string("run/pressure-compared") + end));
 }
 
+// An error that is not 0 is shown with the digit that says so.
+TEST_F(Compare, SmallErrors) {
+  write("run/pressure-levels.csv", "level,mean pressure [kPa],error of the mean pressure [kPa]\nB,2.8,0.0002\n");
+  EXPECT_THAT(compare("B,2.8,0\n").out, HasSubstr("B      2.800 +- 0.000  2.8000 +- 0.0002"));
+}
+
 // A place whose bars have no common point is named, and is a check that did not hold; table and plot are there.
 TEST_F(Compare, PlaceBeyondBothScatters) {
   const Outcome outcome = compare("B,2.8,0.05\nC,2.02,0\n");

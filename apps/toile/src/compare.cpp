@@ -11,6 +11,7 @@
 #include "measured.hpp"
 #include "toile/base/error.hpp"
 #include "toile/base/units.hpp"
+#include "toile/base/with_error.hpp"
 #include "toile/result/csv.hpp"
 #include "toile/result/plot.hpp"
 
@@ -76,7 +77,7 @@ class Comparison {
     std::vector<std::vector<std::string>> rows = {
         {"place", "measured [kPa]", "computed [kPa]", "deviation [kPa]", "[mmHg]", "[%]", "within both"}};
     const auto bar = [](const Pressures& pressures, std::size_t i) {
-      return decimals(pressures.values[i], 3) + " +- " + decimals(pressures.errors[i], 3);
+      return base::with_error(pressures.values[i], pressures.errors[i], 3);
     };
     double sum = 0.0;
     std::size_t largest = 0;

@@ -7,6 +7,7 @@
 
 #include "output.hpp"
 #include "toile/base/units.hpp"
+#include "toile/base/with_error.hpp"
 #include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
@@ -28,13 +29,9 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-/// With as many decimals as the error has: "13.4 +- 0.2".
-std::string with_error(double value, double error) {
-  if (!(error > 0.0)) return number("%.3g", value);
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(error))), 0, 4);
-  char text[96];
-  std::snprintf(text, sizeof text, "%.*f +- %.*f", decimals, value, decimals, error);
-  return text;
+std::string in_mmhg(double pressure, double error) {
+  if (!(error > 0.0)) return number("%.3g", base::mpa_to_mmhg(pressure));
+  return base::with_error(base::mpa_to_mmhg(pressure), base::mpa_to_mmhg(error));
 }
 
 /// The parts of an error (MPa) in kPa, the largest first, as far as they count: "mesh 0.03, body 0.02".
@@ -80,8 +77,7 @@ std::string level_table(const std::vector<result::LevelRow>& levels) {
       std::find_if(levels.begin(), levels.end(), [](const result::LevelRow& row) { return row.reached(); });
   const bool several = std::any_of(levels.begin(), levels.end(), [](const auto& row) { return !row.section.empty(); });
   for (const result::LevelRow& row : levels) {
-    rows.push_back({row.title(),
-                    with_error(base::mpa_to_mmhg(row.pressure_mean), base::mpa_to_mmhg(row.pressure_error)),
+    rows.push_back({row.title(), in_mmhg(row.pressure_mean, row.pressure_error),
                     number("%.3g", base::mpa_to_kpa(row.pressure_mean)), parts_of_error(row.error_parts), "",
                     number("%.1f", row.girth), number("%.3g", base::mpa_to_mmhg(row.laplace)),
                     several ? row.panels : "", remark(row)});
@@ -98,9 +94,8 @@ std::string point_table(const scene::Scene& scene, const solve::Fields& fields,
   const auto add = [&](const auto& points, const std::vector<PointPressure>& pressures) {
     for (size_t p = 0; p < points.size(); ++p) {
       const PointPressure& at = pressures[p];
-      rows.push_back({points[p].title, with_error(base::mpa_to_mmhg(at.pressure), base::mpa_to_mmhg(at.error)),
-                      number("%.3g", base::mpa_to_kpa(at.pressure)), parts_of_error(at.error_parts),
-                      at.gap ? number("%.2f", *at.gap) : "no fabric"});
+      rows.push_back({points[p].title, in_mmhg(at.pressure, at.error), number("%.3g", base::mpa_to_kpa(at.pressure)),
+                      parts_of_error(at.error_parts), at.gap ? number("%.2f", *at.gap) : "no fabric"});
     }
   };
   const scene::Output& output = scene.output();
@@ -172,8 +167,7 @@ std::string findings(const scene::Scene& scene, const solve::Fields& fields, con
     text += point_table(scene, fields, on_body);
   text += stretch_table(scene, fields);
   if (const auto largest = largest_pressure(scene, fields))
-    text += "Largest pressure away from supports: " +
-            with_error(base::mpa_to_mmhg(largest->pressure), base::mpa_to_mmhg(largest->error)) + " mmHg (" +
+    text += "Largest pressure away from supports: " + in_mmhg(largest->pressure, largest->error) + " mmHg (" +
             number("%.3g", base::mpa_to_kpa(largest->pressure)) + " kPa) in panel \"" + largest->panel + "\" at " +
             place_text(largest->place) + "\n";
   return text;
