@@ -46,6 +46,21 @@ TEST_F(Layers, AreWarnedOfWithoutOver) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("panels \"layer 1\" and \"layer 3\"")));
 }
 
+// Layers none of which is told make one warning that names them all, at the start and at the end.
+TEST_F(Layers, AreWarnedOfTogether) {
+  const Outcome outcome = run(list("layer 2", over("")) + list("layer 3", over("")) + list("layer 4", over("")));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string all =
+      "panels \"layer 1\", \"layer 2\", \"layer 3\" and \"layer 4\" lie over each other on up to 100 "
+      "% of \"layer ";
+  const std::size_t start = outcome.err.find(all), end = outcome.err.find(all, start + 1);
+  ASSERT_NE(end, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("lie over each other", end + all.size()), std::string::npos) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("the outer ones will press too little. Let each but the innermost name in its "
+                                     "\"over\" the one beneath it"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("panels \"layer 1\" and")));
+}
+
 // Those that start over each other are warned of before anything is solved; those that start beside each other, or off
 // the body, are not.
 TEST_F(Layers, AreWarnedOfAtTheStart) {

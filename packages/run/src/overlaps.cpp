@@ -104,13 +104,14 @@ std::string rounded_percent(double share) {
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
-/// Two panels that share the skin without being told to.
+/// Panels of which each shares the skin with each other without being told to.
 struct Untold {
-  std::string text;    ///< "panels "a" and "b" lie over each other on 40 % of "a""
-  std::string remedy;  ///< what to write
+  std::vector<int> panels;  ///< ascending
+  double share = 0.0;       ///< the largest of a panel that lies over or under another of them
+  int of = 0;               ///< that panel
 };
 
-std::vector<Untold> untold(const FabricOnBody& fabric, const std::vector<std::vector<int>>& beneath) {
+std::vector<Untold> untold_pairs(const FabricOnBody& fabric, const std::vector<std::vector<int>>& beneath) {
   constexpr double counts = 0.05;  // less are folds beside seams
   const auto is_beneath = [&](int a, int b) {
     return std::find(beneath[b].begin(), beneath[b].end(), a) != beneath[b].end();
@@ -121,15 +122,54 @@ std::vector<Untold> untold(const FabricOnBody& fabric, const std::vector<std::ve
     for (int b = a + 1; b < panels; ++b) {
       if (is_beneath(a, b) || is_beneath(b, a)) continue;
       const double of_a = fabric.area_with(a, {b}) / fabric.area(a), of_b = fabric.area_with(b, {a}) / fabric.area(b);
-      const double most = std::max(of_a, of_b);
-      if (most <= counts) continue;
-      const std::string first = fabric.name(a), second = fabric.name(b);
-      all.push_back({"panels " + first + " and " + second + " lie over each other on " + rounded_percent(most) +
-                         " of " + (of_a > of_b ? first : second),
-                     "Let the outer one name the inner one in its \"over\": " + second + " names " + first + ", or " +
-                         first + " names " + second});
+      if (std::max(of_a, of_b) > counts) all.push_back({{a, b}, std::max(of_a, of_b), of_a > of_b ? a : b});
     }
   return all;
+}
+
+/// Pairs of one group are told together: of four layers there are six.
+std::vector<Untold> untold(const FabricOnBody& fabric, const std::vector<std::vector<int>>& beneath) {
+  std::vector<Untold> groups;
+  std::vector<Untold> pairs = untold_pairs(fabric, beneath);
+  const auto is_pair = [all = pairs](int a, int b) {
+    const std::vector<int> panels = {std::min(a, b), std::max(a, b)};
+    return std::any_of(all.begin(), all.end(), [&](const Untold& pair) { return pair.panels == panels; });
+  };
+  while (!pairs.empty()) {
+    Untold group = pairs.front();
+    for (int panel = 0; panel < static_cast<int>(beneath.size()); ++panel)
+      if (std::all_of(group.panels.begin(), group.panels.end(), [&](int other) { return is_pair(panel, other); }))
+        group.panels.push_back(panel);
+    std::sort(group.panels.begin(), group.panels.end());
+    const auto is_in_group = [&group](const Untold& pair) {
+      return std::includes(group.panels.begin(), group.panels.end(), pair.panels.begin(), pair.panels.end());
+    };
+    for (const Untold& pair : pairs)
+      if (is_in_group(pair) && pair.share > group.share) {
+        group.share = pair.share;
+        group.of = pair.of;
+      }
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_in_group), pairs.end());
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+/// "panels "a", "b" and "c" lie over each other on up to 40 % of "b""
+std::string text_of(const Untold& group, const FabricOnBody& fabric) {
+  std::string names;
+  for (const int panel : group.panels)
+    names += (names.empty() ? "" : panel == group.panels.back() ? " and " : ", ") + fabric.name(panel);
+  return "panels " + names + " lie over each other on " + (group.panels.size() > 2 ? "up to " : "") +
+         rounded_percent(group.share) + " of " + fabric.name(group.of);
+}
+
+/// What to write.
+std::string remedy(const Untold& group, const FabricOnBody& fabric) {
+  const std::string first = fabric.name(group.panels[0]), second = fabric.name(group.panels[1]);
+  if (group.panels.size() > 2) return "Let each but the innermost name in its \"over\" the one beneath it";
+  return "Let the outer one name the inner one in its \"over\": " + second + " names " + first + ", or " + first +
+         " names " + second;
 }
 
 /// Empty: none.
@@ -163,11 +203,14 @@ std::vector<std::string> overlap_faults(const scene::Scene& scene, const solve::
   if (!may_overlap(scene)) return texts;
   const std::vector<std::vector<int>> beneath = told(scene);
   const FabricOnBody fabric(on_body(scene.problem(), fields, report.seam), touching_nodes(fields));
-  for (const Untold& pair : untold(fabric, beneath))
-    texts.push_back(pair.text +
-                    ", and both lie on the body itself: the outer one presses too little, the more so the thicker the "
-                    "inner one is. " +
-                    pair.remedy);
+  for (const Untold& group : untold(fabric, beneath))
+    texts.push_back(text_of(group, fabric) +
+                    (group.panels.size() > 2
+                         ? ", and all lie on the body itself: the outer ones press too little, the more so the "
+                           "thicker those beneath them are. "
+                         : ", and both lie on the body itself: the outer one presses too little, the more so the "
+                           "thicker the inner one is. ") +
+                    remedy(group, fabric));
   for (size_t panel = 0; panel < beneath.size(); ++panel)
     if (!beneath[panel].empty()) texts.push_back(beside(fabric, static_cast<int>(panel), beneath[panel]));
   texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
@@ -184,9 +227,10 @@ std::vector<std::string> overlaps_of_start(const scene::Scene& scene, const solv
     is_near.push_back(std::abs(distance) <= near);
     distance = std::min(distance, near);  // what hangs further off is not looked for
   }
-  for (const Untold& pair : untold(FabricOnBody(garment, is_near), told(scene)))
-    texts.push_back(pair.text + " where they start. If they stay there, the outer one will press too little. " +
-                    pair.remedy);
+  const FabricOnBody fabric(garment, is_near);
+  for (const Untold& group : untold(fabric, told(scene)))
+    texts.push_back(text_of(group, fabric) + " where they start. If they stay there, the outer " +
+                    (group.panels.size() > 2 ? "ones" : "one") + " will press too little. " + remedy(group, fabric));
   return texts;
 }
 
