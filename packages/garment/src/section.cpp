@@ -28,13 +28,24 @@ constexpr double largest_ratio = 1.6;
   throw base::InputError(text.str());
 }
 
-/// Radius at which the gap along the ray equals `offset`; `start` is known not to lie beyond it. The gap is a distance,
-/// so a step by what is missing never passes the surface; close to it the slope of the gap along the ray makes it
-/// Newton's step.
-double trace_ray(const body::Surface& body, const Axis& axis, double height, const body::Vec3& ray, double start,
+/// The ray goes in and out of the body again, and ends nowhere.
+[[noreturn]] void fail_in_fold(const Axis& axis, double height, double angle) {
+  std::ostringstream text;
+  text.precision(4);
+  text
+      << "the body has a groove or slit too narrow to be wrapped (a panel that spans it is placed by \"free wrap\") at "
+      << angle * 180.0 / M_PI << " degrees from \"zero direction\"";
+  fail(text.str(), axis, height);
+}
+
+/// Radius at which the gap along the ray at the angle equals `offset`; `start` is known not to lie beyond it. The gap
+/// is a distance, so a step by what is missing never passes the surface; close to it the slope of the gap along the ray
+/// makes it Newton's step.
+double trace_ray(const body::Surface& body, const Axis& axis, double height, double angle, double start,
                  double offset) {
-  const body::Vec3 origin = axis.at(height);
+  const body::Vec3 origin = axis.at(height), ray = axis.ray(angle);
   double radius = start;
+  bool was_beyond = false;
   for (int step = 0; step < most_steps && radius < largest_radius; ++step) {
     const body::SurfacePoint point = body.closest(origin + radius * ray);
     const double missing = offset - point.gap;
@@ -43,10 +54,12 @@ double trace_ray(const body::Surface& body, const Axis& axis, double height, con
       radius += std::abs(missing);
       continue;
     }
+    was_beyond = was_beyond || missing < 0.0;
     const double slope = point.normal.dot(ray);
     const bool near = std::abs(missing) < 0.1 * radius && slope > 0.3;
     radius += near ? missing / slope : missing;
   }
+  if (was_beyond && radius < largest_radius) fail_in_fold(axis, height, angle);
   fail("a ray from the axis finds no surface of the body", axis, height);
 }
 
@@ -129,13 +142,13 @@ Section trace_section(const body::Surface& body, const Axis& axis, double height
   const double depth = depth_of(body, axis, height);
   std::vector<double> radii;
   for (int k = 0; k < rays; ++k) {
-    radii.push_back(trace_ray(body, axis, height, axis.ray(2.0 * M_PI * k / rays), depth, offset));
+    radii.push_back(trace_ray(body, axis, height, 2.0 * M_PI * k / rays, depth, offset));
   }
   return Section(std::move(radii));
 }
 
 double trace_radius(const body::Surface& body, const Axis& axis, double height, double angle, double offset) {
-  return trace_ray(body, axis, height, axis.ray(angle), depth_of(body, axis, height), offset);
+  return trace_ray(body, axis, height, angle, depth_of(body, axis, height), offset);
 }
 
 }  // namespace toile::garment

@@ -52,7 +52,8 @@ class Section {
 };
 
 /// Section of the body at one height, `offset` mm outside of its surface, by sphere tracing from the axis outwards.
-/// Throws InputError if the axis is not inside the body at this height, or if a ray finds no surface.
+/// Throws InputError if the axis is not inside the body at this height, or if a ray finds no surface, or none that
+/// it ends on, as in a narrow groove.
 Section trace_section(const body::Surface& body, const Axis& axis, double height, double offset);
 
 /// Radius (mm) of that section at one angle, exact between its samples too. Throws the same.

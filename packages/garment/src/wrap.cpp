@@ -100,7 +100,8 @@ class Wrapping {
     text << "seen from the axis the body's section at the height " << height
          << " mm folds behind itself where the panel lies (its radius jumps from " << fold->before << " to "
          << fold->after << " mm at the angle of " << fold->angle * 180.0 / M_PI
-         << " degrees from \"zero direction\"): lay the axis through the middle of the limb and along it";
+         << " degrees from \"zero direction\"): lay the axis through the middle of the limb and along it, or place a "
+            "panel that spans a groove or slit there by \"free wrap\"";
     list_.fail(axis_.parameter(), text.str());
   }
 

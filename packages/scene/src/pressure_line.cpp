@@ -18,7 +18,9 @@ using base::Spec;
 using solve::Vec3;
 
 constexpr double near_skin = 20.0;  // mm
-constexpr double fine = 1.0;        // mm; between the points of which a line is made
+constexpr const char* no_smooth_surface =
+    "where the body has no smooth surface: a groove or slit is too narrow for one, or the facets are too rough";
+constexpr double fine = 1.0;  // mm; between the points of which a line is made
 
 std::string text_of(const Vec3& point) {
   std::ostringstream text;
@@ -119,9 +121,7 @@ class LineReader {
     const auto onto = [&](const Vec3& point) {
       const body::SurfacePoint there = surface_.closest(point);
       if (!there.found)
-        entry.fail(parameter,
-                   "the line leaves the part of the body that is known at " + text_of(point) +
-                       "; the body's file ends there, or its list \"Reach\" does, or the garment is too far off");
+        entry.fail(parameter, "the line passes " + text_of(point) + ", " + no_smooth_surface + ". Lead it past there");
       return BodyPoint{entry.name(), there.closest, there.normal};
     };
     std::vector<Vec3> way;
@@ -186,6 +186,8 @@ BodyPoint place_on_body(const base::List& entry, const std::string& parameter, c
                         const body::Surface* surface) {
   if (surface == nullptr) entry.fail(parameter, "the scene has no list \"Body\", so there is no pressure");
   const body::SurfacePoint there = surface->closest(point);
+  if (!there.found && std::abs(there.gap) <= surface->range())
+    entry.fail(parameter, text_of(point) + " lies " + no_smooth_surface + ". Choose a point beside it");
   std::ostringstream text;
   if (!there.found || std::abs(there.gap) > near_skin) {
     text << text_of(point) << " lies "
