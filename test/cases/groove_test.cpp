@@ -1,4 +1,5 @@
 // A sleeve over a groove of a cylinder of 60 mm: the fabric spans it, and its tension is the same all round.
+#include "cases/line_stations.hpp"
 #include "cases/sleeve_on_body.hpp"
 
 namespace toile::test {
@@ -53,36 +54,9 @@ Facets grooved(double middle) {
   return prism;
 }
 
-/// A station of the line round the body.
-struct Station {
-  double angle;            ///< rad from the groove's middle
-  double depth;            ///< mm below the cylinder
-  double pressure, error;  ///< kPa
-  double gap;              ///< mm, NaN where no fabric is within reach
-};
-
 class Grooves : public Bodies {
  protected:
   static constexpr double middle = 2.0;  // rad, off the sleeve's seam
-
-  std::vector<Station> line() const {
-    std::istringstream rows(read("results/pressure-lines.csv"));
-    std::string row, cell;
-    std::getline(rows, row);
-    std::vector<Station> stations;
-    while (std::getline(rows, row)) {
-      std::istringstream cells(row);
-      std::array<double, 10> value{};
-      for (double& number : value) {
-        cell.clear();
-        std::getline(cells, cell, ',');
-        number = cell.empty() ? NAN : std::strtod(cell.c_str(), nullptr);
-      }
-      const double angle = std::remainder(std::atan2(value[3], value[2]) - middle, 2.0 * M_PI);
-      stations.push_back({angle, radius - std::hypot(value[2], value[3]), value[5], value[7], value[9]});
-    }
-    return stations;
-  }
 };
 
 // On the walls of a groove that the fabric spans there is no pressure, and the gap is the way to the fabric; away from
@@ -103,16 +77,18 @@ TEST_F(Grooves, AreSpanned) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const double laplace = pressure_of(width * 2.0 * M_PI * radius / girth());
   int inside = 0, away = 0;
-  for (const Station& at : line()) {
-    if (at.depth > 2.0) {
+  for (const Station& at : line_stations(read("results/pressure-lines.csv"))) {
+    const double below = radius - std::hypot(at.x, at.y);
+    const double angle = std::remainder(std::atan2(at.y, at.x) - middle, 2.0 * M_PI);
+    if (below > 2.0) {
       ++inside;
-      EXPECT_EQ(at.pressure, 0.0) << "depth " << at.depth;
-      EXPECT_FALSE(std::abs(at.gap - at.depth) > 0.4 * at.depth) << "depth " << at.depth << ", gap " << at.gap;
-    } else if (radius * (std::abs(at.angle) - shoulder()) > 45.0) {
+      EXPECT_EQ(at.kpa, 0.0) << "depth " << below;
+      EXPECT_FALSE(std::abs(at.gap - below) > 0.4 * below) << "depth " << below << ", gap " << at.gap;
+    } else if (radius * (std::abs(angle) - shoulder()) > 45.0) {
       ++away;
-      EXPECT_NEAR(at.pressure, laplace, 0.03 * laplace) << "angle " << at.angle;
-      EXPECT_NEAR(at.pressure, laplace, at.error) << "angle " << at.angle;
-      EXPECT_LT(at.error, 0.15 * laplace) << "angle " << at.angle;
+      EXPECT_NEAR(at.kpa, laplace, 0.03 * laplace) << "angle " << angle;
+      EXPECT_NEAR(at.kpa, laplace, at.error_kpa) << "angle " << angle;
+      EXPECT_LT(at.error_kpa, 0.15 * laplace) << "angle " << angle;
     }
   }
   EXPECT_GE(inside, 8);
