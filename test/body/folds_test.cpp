@@ -100,5 +100,39 @@ TEST(Folds, BesideACrease) {
   }
 }
 
+/// A level sheet of facets of 5 mm with a crease along y, 20 mm deep, that is so wide at its mouth.
+TriangleMesh creased_sheet(double width) {
+  std::vector<std::array<double, 2>> profile;
+  const auto go_to = [&](double x, double z) {
+    if (profile.empty()) profile.push_back({x, z});
+    const auto [x0, z0] = profile.back();
+    const auto steps = static_cast<int>(std::ceil(std::hypot(x - x0, z - z0) / 5.0));
+    for (int k = 1; k <= steps; ++k) profile.push_back({x0 + (x - x0) * k / steps, z0 + (z - z0) * k / steps});
+  };
+  go_to(-60.0, 0.0);
+  for (const auto& [x, z] : {std::array{-0.5 * width, 0.0}, {0.0, -20.0}, {0.5 * width, 0.0}, {60.0, 0.0}}) go_to(x, z);
+  TriangleMesh mesh;
+  const int along = static_cast<int>(profile.size()), rows = 20;
+  for (int j = 0; j <= rows; ++j)
+    for (const auto& [x, z] : profile) mesh.vertices.emplace_back(x, 5.0 * j, z);
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i + 1 < along; ++i) {
+      const int a = j * along + i;
+      mesh.triangles.push_back({a, a + 1, a + 1 + along});
+      mesh.triangles.push_back({a, a + 1 + along, a + along});
+    }
+  return mesh;
+}
+
+// The surface closes a crease of 11 degrees at its bottom and says so; one of 74 degrees it follows.
+TEST(Folds, ClosedSlitsAreSaid) {
+  const auto said = [](double width) {
+    return level_set(creased_sheet(width), {}, "sheet")->summary().find("closes slits narrower than") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(said(4.0));
+  EXPECT_FALSE(said(30.0));
+}
+
 }  // namespace
 }  // namespace toile::body

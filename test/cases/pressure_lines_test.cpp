@@ -1,19 +1,13 @@
 // Pressure along lines on the body: a sleeve on a cylinder of 60 mm, whose pressure is T/r everywhere.
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
 
+#include "cases/line_stations.hpp"
 #include "cases/sleeve_on_body.hpp"
 
 namespace toile::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Station {
-  std::string line;
-  double length, x, y, z, kpa, mmhg, error_kpa, error_mmhg, gap;  ///< gap: NaN where no fabric is
-};
 
 class PressureLines : public ProgramTest {
  protected:
@@ -36,25 +30,7 @@ class PressureLines : public ProgramTest {
   std::vector<Station> run() const {
     const Outcome outcome = toile("run scene.xml --output out");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    std::istringstream rows(read("out/pressure-lines.csv"));
-    std::string row, cell;
-    std::getline(rows, row);
-    EXPECT_EQ(row,
-              "line,arc length [mm],x [mm],y [mm],z [mm],pressure [kPa],pressure [mmHg],its error [kPa],its error "
-              "[mmHg],gap [mm]");
-    std::vector<Station> stations;
-    while (std::getline(rows, row)) {
-      std::istringstream cells(row);
-      Station s{};
-      std::getline(cells, s.line, ',');
-      for (double* value : {&s.length, &s.x, &s.y, &s.z, &s.kpa, &s.mmhg, &s.error_kpa, &s.error_mmhg, &s.gap}) {
-        cell.clear();
-        std::getline(cells, cell, ',');
-        *value = cell.empty() ? NAN : std::strtod(cell.c_str(), nullptr);
-      }
-      stations.push_back(s);
-    }
-    return stations;
+    return line_stations(read("out/pressure-lines.csv"));
   }
   std::string refused(const std::string& line) const {
     write_sleeve(line);

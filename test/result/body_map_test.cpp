@@ -26,7 +26,7 @@ struct Sleeve {
   mesh::Mesh mesh = tube(sleeve_radius, 50.0, 100.0, 72, 20);
   body::TriangleMesh body = revolution(cylinder, 0.0, 200.0, 60, 41);
   std::vector<double> pressure;
-  std::vector<double> distance = std::vector<double>(mesh.placed.size(), 0.0);
+  std::vector<double> distance = std::vector<double>(mesh.placed.size(), offset);
 
   Sleeve() {
     for (const mesh::Vec3& node : mesh.placed) {
@@ -39,7 +39,7 @@ struct Sleeve {
     for (const mesh::Vec3& node : mesh.placed) {
       garment.normal.push_back(mesh::Vec3(node.x(), node.y(), 0.0).normalized());
     }
-    return BodyMap(garment, body).map(pressure);
+    return BodyMap(garment, body).on(pressure);
   }
   int covered(const std::vector<double>& field) const {
     return static_cast<int>(std::count_if(field.begin(), field.end(), [](double p) { return p > 0.0; }));
@@ -123,7 +123,7 @@ void add_layer(Sleeve& sleeve, double turn) {
     sleeve.mesh.placed.push_back(rotation * sleeve.mesh.placed[n]);
     sleeve.mesh.pattern.push_back(sleeve.mesh.pattern[n]);
     sleeve.pressure.push_back(0.5 * sleeve.pressure[n]);
-    sleeve.distance.push_back(0.0);
+    sleeve.distance.push_back(offset);
   }
 }
 
@@ -141,6 +141,51 @@ TEST(BodyMap, LayersAddUp) {
       }
     }
   }
+}
+
+// Fabric that spans a groove lies over its walls, but not on them: they have no pressure of the shoulders.
+TEST(BodyMap, WallsOfASpannedGrooveTakeNone) {
+  constexpr double half = 6.0, wide = 40.0;  // mm
+  const double slope = M_PI * 70.0 / 180.0;  // of the walls
+  const auto wall = [&](double x) { return mesh::Vec3(-std::copysign(std::sin(slope), x), 0.0, std::cos(slope)); };
+  mesh::Mesh mesh;
+  GarmentOnBody garment{&mesh, {}, {}, {}, {}};
+  std::vector<double> pressure;
+  constexpr int along = 4, across = 40;
+  for (int i = 0; i <= across; ++i)
+    for (int j = 0; j <= along; ++j) {
+      const double x = 2.0 * wide * i / across - wide, inside = half - std::abs(x);
+      garment.position.emplace_back(x, 2.0 * j, 0.0);
+      mesh.pattern.emplace_back(x, 2.0 * j);
+      garment.distance.push_back(inside > 0.0 ? inside * std::sin(slope) : 0.0);
+      garment.normal.push_back(inside > 0.0 ? wall(x) : mesh::Vec3::UnitZ());
+      pressure.push_back(inside > 0.0 ? 0.0 : 1.0);
+    }
+  mesh.placed = garment.position;
+  mesh.blocks.emplace_back();
+  mesh.blocks[0].nodes_per_element = 4;
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < along; ++j) {
+      const int a = i * (along + 1) + j, b = a + along + 1;
+      mesh.blocks[0].connectivity.insert(mesh.blocks[0].connectivity.end(), {a, b, b + 1, a + 1});
+    }
+  std::vector<mesh::Vec3> points, normals;
+  for (const double depth : {2.5, 3.0, 4.0, 4.5}) {
+    points.emplace_back(depth / std::tan(slope) - half, 3.3, -depth);
+    normals.push_back(wall(-1.0));
+  }
+  points.emplace_back(-half - 3.0, 3.3, 0.0);
+  normals.push_back(mesh::Vec3::UnitZ());
+  const BodyMap map(garment, points, normals);
+  const std::vector<double> on = map.on(pressure), distance = map.over(garment.distance);
+  const std::vector<double> over = map.over(pressure);
+  EXPECT_GT(over[0], 0.1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(map.layers()[i], 1) << i;
+    EXPECT_EQ(on[i], 0.0) << i;
+    EXPECT_NEAR(distance[i] + map.excess()[i], -points[i].z(), 1e-9) << i;
+  }
+  EXPECT_NEAR(on[4], 1.0, 1e-9);
 }
 
 }  // namespace

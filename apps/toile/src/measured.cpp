@@ -328,11 +328,14 @@ Pressures by_position(const MeasuredPlaces& measured, const std::string& folder)
   const mesh::Mesh mesh = mesh_of(results);
   const result::GarmentOnBody garment = garment_of(results, mesh, path);
   const result::BodyMap map(garment, skin.points, skin.normals);
-  Pressures computed{measured.pressures.names, map.map(nodal_field(results, "pressure", path)),
-                     map.map(nodal_field(results, "pressure_error", path))};
-  const std::vector<double> layers = map.map(std::vector<double>(garment.position.size(), 1.0));
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    if (!(layers[i] > 0.5)) computed.notes.push_back(no_fabric(computed.names[i]));
+  const std::vector<double>& pressure = nodal_field(results, "pressure", path);
+  Pressures computed{measured.pressures.names, map.on(pressure), map.on(nodal_field(results, "pressure_error", path))};
+  const std::vector<double> of_all = map.over(pressure);
+  for (std::size_t i = 0; i < of_all.size(); ++i) {
+    // Whether fabric beside a shoulder lies on it or hangs over it.
+    computed.errors[i] = std::hypot(computed.errors[i], of_all[i] - computed.values[i]);
+    if (map.layers()[i] == 0) computed.notes.push_back(no_fabric(computed.names[i]));
+  }
   return computed;
 }
 

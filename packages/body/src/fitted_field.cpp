@@ -99,17 +99,22 @@ FittedSplines fit_folds(std::vector<LevelSetDatum> data, const FittedSplines& wh
 }  // namespace
 
 FittedField::FittedField(const TriangleMesh& mesh, const TriangleTree& tree, double cell, double smoothing)
-    : samples_(samples_of(mesh, cell)), grid_(std::make_shared<const SheetGrid>(samples_, cell)) {
-  const auto in_slits = slit_vertices(mesh, tree, samples_, *grid_, slit * cell);
+    : samples_(samples_of(mesh, cell)),
+      grid_(std::make_shared<const SheetGrid>(samples_, cell)),
+      in_slits_(slit_vertices(mesh, tree, samples_, *grid_, slit * cell)) {
   const auto local = local_smoothing(*grid_, samples_, mean_edge_length(mesh), smoothing);
   whole_ =
-      std::make_unique<FittedSplines>(fit_spline(grid_, data_of(mesh, samples_, *grid_, in_slits), local.weights,
+      std::make_unique<FittedSplines>(fit_spline(grid_, data_of(mesh, samples_, *grid_, in_slits_), local.weights,
                                                  sum(vertex_areas(mesh)), std::vector<char>(grid_->unknowns(), 0)));
   if (grid_->positions() > most_positions_with_folds || std::count(local.narrow.begin(), local.narrow.end(), 1) == 0)
     return;
   folds_ = std::make_shared<const FoldGrid>(mesh, samples_, *grid_, local.narrow);
   in_folds_ = std::make_unique<FittedSplines>(
-      fit_folds(data_of(mesh, samples_, folds_->grid(), in_slits), *whole_, folds_, local.weights));
+      fit_folds(data_of(mesh, samples_, folds_->grid(), in_slits_), *whole_, folds_, local.weights));
+}
+
+double FittedField::slit_width() const {
+  return 2.0 * slit * grid_->cell();
 }
 
 FittedField::Place FittedField::place(const TriangleTree::Hit& hit) const {

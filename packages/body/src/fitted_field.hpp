@@ -2,6 +2,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <memory>
+#include <vector>
 
 #include "fit_spline.hpp"
 #include "fold_grid.hpp"
@@ -41,12 +42,16 @@ class FittedField {
 
   const SheetGrid& grid() const { return *grid_; }        ///< of the whole body
   const FoldGrid* folds() const { return folds_.get(); }  ///< null: there are no narrow folds
+  /// [vertex] 1 in slits that the surface closes.
+  const std::vector<char>& in_slits() const { return in_slits_; }
+  double slit_width() const;  ///< mm, what is narrower is a slit
 
  private:
   int finer_cell(int cell, int from, const Vec3& point) const;
 
   SurfaceSamples samples_;
   std::shared_ptr<const SheetGrid> grid_;
+  std::vector<char> in_slits_;
   std::unique_ptr<FittedSplines> whole_;
   std::shared_ptr<const FoldGrid> folds_;
   std::unique_ptr<FittedSplines> in_folds_;

@@ -127,6 +127,8 @@ class LevelSetSurface final : public Surface {
   /// The closest point, and where it is; its place is not found if there is none.
   std::pair<SurfacePoint, Foot> find(const Vec3& point) const;
   void report_fit();
+  /// What is left out of the surface, as a text.
+  std::string slits() const;
 
   TriangleMesh mesh_;
   TriangleTree tree_;
@@ -292,7 +294,21 @@ void LevelSetSurface::report_fit() {
   if (lost > 0) {
     text << "; " << lost << " vertices have no smooth surface near them";
   }
+  text << slits();
   figures_ = text.str();
+}
+
+std::string LevelSetSurface::slits() const {
+  const std::vector<char>& in_slits = field_.in_slits();
+  const auto first = std::find(in_slits.begin(), in_slits.end(), 1);
+  if (first == in_slits.end()) return {};
+  const Vec3& there = mesh_.vertices[first - in_slits.begin()];
+  std::ostringstream text;
+  text.precision(2);
+  text << "; closes slits narrower than " << field_.slit_width() << " mm above " << std::count(first, in_slits.end(), 1)
+       << " vertices, one at (" << std::lround(there.x()) << ", " << std::lround(there.y()) << ", "
+       << std::lround(there.z()) << ")";
+  return text.str();
 }
 
 class FacetSurface final : public Surface {

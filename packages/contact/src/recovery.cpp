@@ -58,6 +58,8 @@ class Recoverer {
   double load(int site) const;
   double body_change(int site);
   double pressure_of_wider_body(int site);
+  bool at_edge(int site) const;
+  std::vector<double> mean_around(std::vector<double> values, const std::vector<bool>& counts, int passes) const;
   void average(double SitePressure::*error);
   double relative_error() const;
 
@@ -243,26 +245,23 @@ double Recoverer::load(int site) const {
   return pressure(sum, area);
 }
 
-/// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
-/// Passes from sites to elements and back, 36 of them: as wide as a Helmholtz filter with a length of 3 elements.
-void Recoverer::average(double SitePressure::*error) {
-  constexpr int passes = 36;
-  std::vector<double> square(fabric_.site_cluster.size(), 0.0), sum, weight;
-  for (size_t s = 0; s < square.size(); ++s) square[s] = std::pow(out_.site[s].*error, 2);
-  std::vector<double> area(fabric_.elements.size(), 0.0);
+/// Mean of `values` [site] around each of the sites that count: passes from sites to elements and back.
+std::vector<double> Recoverer::mean_around(std::vector<double> values, const std::vector<bool>& counts,
+                                           int passes) const {
+  std::vector<double> area(fabric_.elements.size(), 0.0), sum, weight;
   for (size_t e = 0; e < area.size(); ++e)
     for (int q = 0; q < fabric_.elements[e].points; ++q) area[e] += point_of(fabric_.elements[e], q).area;
   for (int pass = 0; pass < passes; ++pass) {
-    sum.assign(square.size(), 0.0);
-    weight.assign(square.size(), 0.0);
+    sum.assign(values.size(), 0.0);
+    weight.assign(values.size(), 0.0);
     for (size_t e = 0; e < area.size(); ++e) {
       const FabricElement& element = fabric_.elements[e];
       double mean = 0.0;
       int count = 0;
       for (int i = 0; i < element.nodes; ++i) {
-        const int site = element.site[static_cast<size_t>(i)];
-        if (!touches(site)) continue;
-        mean += square[static_cast<size_t>(site)];
+        const auto site = static_cast<size_t>(element.site[static_cast<size_t>(i)]);
+        if (!counts[site]) continue;
+        mean += values[site];
         ++count;
       }
       for (int i = 0; i < element.nodes && count > 0; ++i) {
@@ -271,10 +270,35 @@ void Recoverer::average(double SitePressure::*error) {
         weight[site] += area[e];
       }
     }
-    for (size_t s = 0; s < square.size(); ++s)
-      if (touches(static_cast<int>(s)) && weight[s] > 0.0) square[s] = sum[s] / weight[s];
+    for (size_t s = 0; s < values.size(); ++s)
+      if (counts[s] && weight[s] > 0.0) values[s] = sum[s] / weight[s];
   }
-  for (size_t s = 0; s < square.size(); ++s) out_.site[s].*error = std::sqrt(square[s]);
+  return values;
+}
+
+/// The estimates are made of differences that pass through zero: what tells a size is their mean square around a site.
+/// 36 passes are as wide as a Helmholtz filter with a length of 3 elements. Sites at an edge of the body have errors as
+/// large as the pressure of the edge: they say something of the next few elements, and nothing of those further off.
+void Recoverer::average(double SitePressure::*error) {
+  constexpr int few = 6, many = 36;
+  const size_t sites = out_.site.size();
+  std::vector<bool> all(sites), smooth(sites);
+  std::vector<double> of_edge(sites, 0.0), of_smooth(sites, 0.0);
+  for (size_t s = 0; s < sites; ++s) {
+    all[s] = touches(static_cast<int>(s));
+    smooth[s] = all[s] && !at_edge(static_cast<int>(s));
+    (smooth[s] ? of_smooth : of_edge)[s] = std::pow(out_.site[s].*error, 2);
+  }
+  const std::vector<double> far = mean_around(std::move(of_smooth), smooth, many),
+                            near = mean_around(of_edge, all, few);
+  for (size_t s = 0; s < sites; ++s) out_.site[s].*error = std::sqrt(std::max(far[s] + near[s], of_edge[s]));
+}
+
+/// The body turns so much within an element that tension x curvature there tells nothing of the pressure beside.
+bool Recoverer::at_edge(int site) const {
+  constexpr double most = 0.5;  // rad
+  const ContactCluster& at = cluster(site);
+  return at.surface.found && at.surface.hessian.norm() * std::sqrt(at.area) > most;
 }
 
 /// Root mean square of the errors over that of the pressures, away from the border of contact.

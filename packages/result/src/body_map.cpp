@@ -33,6 +33,13 @@ bool faces(const Hit& hit, const Vec3& vertex) {
   return hit.distance < 1e-9 || along >= smallest_cosine * hit.distance;
 }
 
+/// A place on the garment over a point of the body.
+struct Layer {
+  Hit hit;
+  double excess = 0.0;  ///< mm, if it lies off the point: what to add to its distance from the body
+  bool on = false;      ///< it lies on the point
+};
+
 /// Finds the garment over points of the body.
 class Finder {
  public:
@@ -52,21 +59,21 @@ class Finder {
   }
 
   /// One place on each layer over a point of the body with this normal.
-  std::vector<Hit> over(const Vec3& point, const Vec3& normal) const {
-    std::vector<Hit> layers;
+  std::vector<Layer> over(const Vec3& point, const Vec3& normal) const {
+    std::vector<Layer> layers;
     if (box_.exteriorDistance(point) > reach_) {
       return layers;
     }
     for (const Hit& hit : tree_.crossings(point - reach_ * normal, point + reach_ * normal)) {
-      const bool is_new = std::none_of(layers.begin(), layers.end(), [&](const Hit& h) { return touch(h, hit); });
+      const bool is_new = std::none_of(layers.begin(), layers.end(), [&](const Layer& l) { return touch(l.hit, hit); });
       if (is_new && lies_over(hit, (hit.point - point).norm(), normal)) {
-        layers.push_back(hit);
+        layers.push_back(layer(hit, (hit.point - point).norm(), point));
       }
     }
     if (layers.empty()) {  // beside the edge of a facet that the body's is not parallel to
       const Hit hit = tree_.closest(point);
       if (lies_over(hit, hit.distance, normal) && faces(hit, point)) {
-        layers.push_back(hit);
+        layers.push_back(layer(hit, hit.distance, point));
       }
     }
     return layers;
@@ -100,10 +107,33 @@ class Finder {
     return false;
   }
 
+  /// From the body, mm.
+  double usual(const Hit& hit) const { return std::max(0.0, interpolate(corners(hit), hit.barycentric, distance_)); }
+
   bool lies_over(const Hit& hit, double distance, const Vec3& normal) const {
-    const double usual = std::max(0.0, interpolate(corners(hit), hit.barycentric, distance_));
     const Vec3 below = interpolate(corners(hit), hit.barycentric, normal_);
-    return distance <= options_.limit + usual && below.dot(normal) >= options_.agreement * below.norm();
+    return distance <= options_.limit + usual(hit) && below.dot(normal) >= options_.agreement * below.norm();
+  }
+
+  Layer layer(const Hit& hit, double distance, const Vec3& point) const {
+    if (distance <= usual(hit) + slack(hit)) {
+      return {hit, 0.0, true};
+    }
+    return {hit, tree_.closest(point).distance - usual(hit), false};
+  }
+
+  /// What facets leave open, mm.
+  double slack(const Hit& hit) const {
+    constexpr double of_side = 0.1, of_turn = 0.25;
+    double most = 0.0;
+    for (const int i : corners(hit)) {
+      for (const int j : corners(hit)) {
+        const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+        const double side = (triangles_.mesh.vertices[a] - triangles_.mesh.vertices[b]).norm();
+        most = std::max(most, side * (of_side + of_turn * (normal_[a] - normal_[b]).norm()));
+      }
+    }
+    return most;
   }
 
   BodyMapOptions options_;
@@ -137,24 +167,37 @@ BodyMap::BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, c
 
 BodyMap::BodyMap(const GarmentOnBody& garment, const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                  const BodyMapOptions& options)
-    : vertices_(points.size()) {
+    : layers_(points.size(), 0), excess_(points.size(), 0.0) {
   const Finder finder(garment, options);
   const std::vector<std::vector<int>> nodes = nodes_of_vertices(*garment.mesh);
-  for (std::size_t i = 0; i < vertices_; ++i) {
-    for (const Hit& hit : finder.over(points[i], normals[i])) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Layer& layer : finder.over(points[i], normals[i])) {
+      ++layers_[i];
+      excess_[i] += layer.excess;
       for (int k = 0; k < 3; ++k) {
-        const auto& corners = finder.triangles().mesh.triangles[static_cast<std::size_t>(hit.triangle)];
+        const auto& corners = finder.triangles().mesh.triangles[static_cast<std::size_t>(layer.hit.triangle)];
         const std::vector<int>& of = nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (const int node : of) {
-          terms_.push_back({i, static_cast<std::size_t>(node), hit.barycentric[k] / static_cast<double>(of.size())});
+          const double weight = layer.hit.barycentric[k] / static_cast<double>(of.size());
+          terms_.push_back({i, static_cast<std::size_t>(node), weight, layer.on});
         }
       }
     }
   }
 }
 
-std::vector<double> BodyMap::map(const std::vector<double>& nodal) const {
-  std::vector<double> result(vertices_, 0.0);
+std::vector<double> BodyMap::on(const std::vector<double>& nodal) const {
+  std::vector<double> result(layers_.size(), 0.0);
+  for (const Term& term : terms_) {
+    if (term.on) {
+      result[term.vertex] += term.weight * nodal[term.node];
+    }
+  }
+  return result;
+}
+
+std::vector<double> BodyMap::over(const std::vector<double>& nodal) const {
+  std::vector<double> result(layers_.size(), 0.0);
   for (const Term& term : terms_) {
     result[term.vertex] += term.weight * nodal[term.node];
   }

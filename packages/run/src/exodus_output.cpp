@@ -56,7 +56,7 @@ class Steps {
       data.displacement.push_back(fields.position[n] - problem.mesh->placed[n]);
     const auto on_body = body_map(problem, fields, report);
     for (solve::NamedField& field : solve::nodal_fields(problem, fields)) {
-      if (field.on_body && on_body) data.body_nodal[field.name] = on_body->map(field.values);
+      if (field.on_body && on_body) data.body_nodal[field.name] = on_body->on(field.values);
       data.nodal[field.name] = std::move(field.values);
     }
     if (!body_.error.empty()) data.body_nodal[result::body_error_field().name] = body_.error;

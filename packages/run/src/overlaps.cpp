@@ -74,7 +74,7 @@ class FabricOnBody {
     for (const mesh::MeshedPanel& panel : mesh_.panels) {
       std::vector<double> touch(touches.size(), 0.0);
       for (int n = panel.first; n < panel.first + panel.nodes; ++n) touch[n] = touches[n] ? 1.0 : 0.0;
-      over_.push_back(map.map(touch));
+      over_.push_back(map.over(touch));
     }
   }
 

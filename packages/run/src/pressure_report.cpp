@@ -48,6 +48,14 @@ PointPressure with_parts(PointPressure at, const std::vector<std::vector<double>
   return at;
 }
 
+/// Which of solve::error_parts() is the mesh's.
+size_t mesh_part() {
+  const auto& parts = solve::error_parts();
+  return std::find_if(parts.begin(), parts.end(),
+                      [](const solve::ErrorPart& part) { return part.values == &solve::PressureErrors::mesh; }) -
+         parts.begin();
+}
+
 /// [solve::error_parts()][node] MPa. Whether fabric touches is known within an element: a node that is free may press
 /// like the neighbour that presses most.
 std::vector<std::vector<double>> parts_of_points(const scene::Scene& scene, const solve::Fields& fields) {
@@ -63,8 +71,8 @@ std::vector<std::vector<double>> parts_of_points(const scene::Scene& scene, cons
     }
   }
   std::vector<std::vector<double>> parts;
-  for (const solve::ErrorPart& part : solve::error_parts())
-    parts.push_back(part.values == &solve::PressureErrors::mesh ? mesh : fields.errors.*part.values);
+  for (const solve::ErrorPart& part : solve::error_parts()) parts.push_back(fields.errors.*part.values);
+  parts[mesh_part()] = std::move(mesh);
   return parts;
 }
 
@@ -150,14 +158,15 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
   }
   if (places.empty()) return {};
   const result::BodyMap map(on_body(scene.problem(), fields, report.seam), places, normals);
-  const std::vector<double> pressure = map.map(fields.pressure), gap = map.map(fields.gap),
-                            layers = map.map(std::vector<double>(fields.position.size(), 1.0));
+  const std::vector<double> pressure = map.on(fields.pressure), of_all = map.over(fields.pressure),
+                            gap = map.over(fields.gap);
   std::vector<std::vector<double>> parts;
-  for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.map(part));
+  for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.on(part));
   std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
+    parts[mesh_part()][p] += of_all[p] - pressure[p];  // whether fabric beside a shoulder lies on it or hangs over it
     all.push_back(with_parts({pressure[p], 0.0, {}, std::nullopt}, parts, p));
-    if (layers[p] > 0.5) all.back().gap = gap[p] / layers[p];
+    if (map.layers()[p] > 0) all.back().gap = (gap[p] + map.excess()[p]) / map.layers()[p];
   }
   return all;
 }

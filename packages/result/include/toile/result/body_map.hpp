@@ -27,6 +27,10 @@ struct GarmentOnBody {
 ///
 /// No garment lies over a vertex if it is further than limit + distance, if it lies on another part of the body (the
 /// normals disagree: the other leg), or if it ends beside the vertex.
+///
+/// Fabric that lies over a vertex need not lie on it: where it spans a groove, the fabric that the normal of a wall
+/// meets presses on the shoulder. It lies on the vertex if it is no further from it than from the body, but for what
+/// its facets leave open: twice the sag of a side, side times turn of the body under it / 8, and a tenth of the side.
 class BodyMap {
  public:
   BodyMap(const GarmentOnBody& garment, const body::TriangleMesh& body, const BodyMapOptions& options = {});
@@ -34,8 +38,15 @@ class BodyMap {
   BodyMap(const GarmentOnBody& garment, const std::vector<mesh::Vec3>& points, const std::vector<mesh::Vec3>& normals,
           const BodyMapOptions& options = {});
 
-  /// `nodal`: [node]. Returns [body vertex], unit of `nodal`.
-  std::vector<double> map(const std::vector<double>& nodal) const;
+  /// Of the fabric that lies on the body. `nodal`: [node]. Returns [body vertex], unit of `nodal`.
+  std::vector<double> on(const std::vector<double>& nodal) const;
+  /// Of the fabric that lies over the body, on it or not. `nodal`: [node]. Returns [body vertex], unit of `nodal`.
+  std::vector<double> over(const std::vector<double>& nodal) const;
+  /// [body vertex] how many layers lie over it.
+  const std::vector<int>& layers() const { return layers_; }
+  /// [body vertex] mm, of fabric that lies over it, but not on it: what to add to the nodal distance for that of the
+  /// vertex from the fabric nearest to it; the sum over the layers.
+  const std::vector<double>& excess() const { return excess_; }
 
  private:
   /// Value at a body vertex: the sum of weight times nodal value.
@@ -43,9 +54,11 @@ class BodyMap {
     std::size_t vertex;
     std::size_t node;
     double weight;
+    bool on;
   };
-  std::size_t vertices_;
   std::vector<Term> terms_;
+  std::vector<int> layers_;
+  std::vector<double> excess_;
 };
 
 }  // namespace toile::result
