@@ -32,9 +32,8 @@ constexpr double largest_ratio = 1.6;
 [[noreturn]] void fail_in_fold(const Axis& axis, double height, double angle) {
   std::ostringstream text;
   text.precision(4);
-  text
-      << "the body has a groove or slit too narrow to be wrapped (a panel that spans it is placed by \"free wrap\") at "
-      << angle * 180.0 / M_PI << " degrees from \"zero direction\"";
+  text << "the body has a groove or slit too narrow to be wrapped (a panel that spans it is placed by \"free wrap\") "
+       << "near " << angle * 180.0 / M_PI << " degrees from \"zero direction\"";
   fail(text.str(), axis, height);
 }
 
