@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "toile/mesh/four_sided.hpp"
 
 namespace toile::mesh {
@@ -122,6 +124,53 @@ TEST(FindNodes, PanelWithoutRows) {
   mesh.panels.back().across = 0;
   EXPECT_EQ(find_nodes(mesh, "front@0.5,0.5").problem,
             "panel \"front\" has no rows and columns of elements; a point of its pattern is \"front@(12.5,40)\"");
+}
+
+/// Sum of the lengths, and of the lengths times the arc lengths of their nodes.
+std::pair<double, double> moments(const std::string& name, const Mesh& mesh) {
+  const EdgeLengths edge = edge_lengths(mesh, name);
+  const std::vector<double> arc = arc_lengths(mesh, edge.nodes);
+  double length = 0.0, moment = 0.0;
+  for (std::size_t k = 0; k < arc.size(); ++k) {
+    length += edge.lengths[k];
+    moment += edge.lengths[k] * arc[k];
+  }
+  return {length, moment};
+}
+
+// What lies on a part of an edge has the part's length and its middle, also where it ends between nodes or lies within
+// one element.
+TEST(EdgeLengths, OfAPartThatEndsBetweenNodes) {
+  for (const double grading : {1.0, 4.0}) {
+    const Mesh mesh = two_panels(grading);
+    for (const auto& [from, to] : {std::pair(13.0, 47.0), {0.0, 59.0}, {21.0, 22.5}, {50.0, 59.9}}) {
+      const std::string name = "front.left[" + std::to_string(from) + "mm:" + std::to_string(to) + "mm]";
+      const auto [length, moment] = moments(name, mesh);
+      EXPECT_NEAR(length, to - from, 1e-9) << name;
+      EXPECT_NEAR(moment, 0.5 * (to * to - from * from), 1e-9) << name;
+    }
+    EXPECT_NEAR(moments("front.left", mesh).first, 60.0, 1e-9);
+  }
+}
+
+// A place on an edge is by arc length, whatever the grading, and between nodes if it must.
+TEST(EdgePlaces, AreByArcLength) {
+  for (const double grading : {1.0, 4.0}) {
+    const Mesh mesh = two_panels(grading);
+    for (const double at : {0.0, 0.13, 0.5, 0.57, 1.0}) {
+      const EdgePlace place = edge_place(mesh, mesh.edges.at("front.left"), at);
+      const Vec2 there = (1.0 - place.share) * mesh.pattern[place.first] + place.share * mesh.pattern[place.second];
+      EXPECT_NEAR(there.y(), 60.0 * at, 1e-9);
+      EXPECT_GE(place.share, 0.0);
+      EXPECT_LE(place.share, 1.0);
+    }
+  }
+}
+
+// How far the end of a part lies from its node is told.
+TEST(FindNodes, TellsWherePartsEndBetweenNodes) {
+  EXPECT_NEAR(find_nodes(two_panels(), "front.left[13mm:48mm]").off, 3.0, 1e-9);
+  EXPECT_NEAR(find_nodes(two_panels(), "front.left[10mm:50mm]").off, 0.0, 1e-9);
 }
 
 }  // namespace

@@ -233,6 +233,33 @@ TEST(PressureLines, LayersAddUp) {
   EXPECT_NEAR(sum.laplace, 2.0 * rows[0].laplace, 1e-15);
 }
 
+// A level along the seam of two panels that press differently is told with both pressures; beside the seam, and where
+// they press alike, nothing is.
+TEST(PressureLines, LevelAlongASeamIsTold) {
+  Cone cone;
+  const std::size_t nodes = cone.mesh.placed.size();
+  cone.add_copy({0.0, 0.0, height});
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t copy = nodes; copy < 2 * nodes; ++copy) {
+      const mesh::Vec3 &below = cone.fields.position[n], &above = cone.fields.position[copy];
+      const bool opposite = below.z() > first_height + height - 1e-6 && above.z() < first_height + height + 1e-6 &&
+                            below.head<2>().normalized().dot(above.head<2>().normalized()) > 1.0 - 1e-9;
+      if (!opposite) continue;
+      cone.fields.position[copy] = below;
+      cone.fields.tied[copy] = cone.fields.tied[n];
+    }
+  const auto warnings = [&](double at) {
+    return level_warnings(cone.fields, Axis(), levels(cone.fields, Axis(), {{"C", at}}));
+  };
+  EXPECT_THAT(warnings(first_height + height),
+              ::testing::ElementsAre(::testing::HasSubstr(
+                  "level \"C\" runs along the seam of panels \"tube\" and \"copy\", which press with "
+                  "0.4 and 1.6 kPa there")));
+  EXPECT_THAT(warnings(first_height + height + 5.0), ::testing::IsEmpty());
+  std::fill(cone.fields.pressure.begin(), cone.fields.pressure.end(), 1e-3);
+  EXPECT_THAT(warnings(first_height + height), ::testing::IsEmpty());
+}
+
 // A sleeve that no seam closes has an open section: a length, but no radius and no value by Laplace's law.
 TEST(PressureLines, OpenSectionIsMarked) {
   Cone cone;

@@ -38,5 +38,17 @@ TEST(Loads, WeightOfAPanelNamedTwiceIsRefused) {
   EXPECT_THAT(input_error(list), HasSubstr("names panel \"tube\" twice"));
 }
 
+// A load on a part of an edge has the part's length, wherever the nodes lie.
+TEST(Loads, OnAPartOfAnEdgeHaveItsLength) {
+  const double width = 200.0;  // of the panel's top
+  for (const auto& [from, to] : {std::pair(0.13, 0.47), {0.1, 0.33}, {0.0, 1.0}}) {
+    const std::string on = "tube.top[" + std::to_string(from) + ":" + std::to_string(to) + "]";
+    const std::unique_ptr<Scene> scene = build(with_load("edge", on, "traction"));
+    double sum = 0.0;
+    for (const double share : scene->problem().loads.front().share) sum += share;
+    EXPECT_NEAR(sum, (to - from) * width, 1e-6 * width) << on;
+  }
+}
+
 }  // namespace
 }  // namespace toile::scene::test

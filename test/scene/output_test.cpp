@@ -37,8 +37,10 @@ TEST(Output, IsRead) {
   EXPECT_EQ(scene->problem().supports.at(static_cast<size_t>(output.force_curves[0].support)).name, "top");
   ASSERT_EQ(output.distances.size(), 1u);
   const mesh::Mesh& mesh = scene->garment().mesh;
-  EXPECT_EQ(output.distances[0].first, mesh.edges.at("tube.left").front());
-  EXPECT_EQ(output.distances[0].second, mesh.edges.at("tube.right").back());
+  EXPECT_EQ(output.distances[0].first.first, mesh.edges.at("tube.left").front());
+  EXPECT_EQ(output.distances[0].first.share, 0.0);
+  EXPECT_EQ(output.distances[0].second.second, mesh.edges.at("tube.right").back());
+  EXPECT_EQ(output.distances[0].second.share, 1.0);
   ASSERT_EQ(scene->checks().size(), 1u);
   EXPECT_EQ(scene->checks()[0].upper, 1e-6);
   EXPECT_EQ(scene->checks()[0].lower, -std::numeric_limits<double>::infinity());

@@ -198,5 +198,32 @@ TEST(StartReport, WarnsOfAForgottenSeam) {
                                     "apart, and are not sewn: is a seam forgotten?")));
 }
 
+// A support on a part of an edge that ends between nodes is told with the way to the nearest; one that ends at nodes is
+// not.
+TEST(StartReport, WarnsOfAPartThatEndsBetweenNodes) {
+  ParameterList list = flat_scene();
+  const auto warnings = [&](const std::string& on) {
+    list.sublist("Supports").sublist("part").set("on", Teuchos::Array<std::string>(1, on)).set("hold", "xyz");
+    return look(list).warnings;
+  };
+  EXPECT_THAT(warnings("tube.top[0.3:0.77]"),
+              ::testing::Contains(AllOf(HasSubstr("support \"part\": tube.top[0.3:0.77] ends between nodes, "),
+                                        HasSubstr(" mm from the nearest"))));
+  EXPECT_THAT(warnings("tube.top[0.25:0.75]"), ::testing::Not(::testing::Contains(HasSubstr("between nodes"))));
+}
+
+// Levels count along the output's axis: the same garment, moved with its axis, has the same ones.
+TEST(StartReport, LevelsCountAlongTheAxis) {
+  ParameterList list = tube_scene();
+  ParameterList& output = list.sublist("Output");
+  output.set("axis point", reals({0, 0, -10000})).set("axis direction", reals({0, 0, 1}));
+  const auto warnings = [&](double height) {
+    output.sublist("Levels").sublist("middle").set("height", height);
+    return look(list).warnings;
+  };
+  EXPECT_THAT(warnings(10050.0), IsEmpty());
+  EXPECT_THAT(warnings(50.0), ElementsAre(HasSubstr("level \"middle\" is at a height of 50 mm")));
+}
+
 }  // namespace
 }  // namespace toile::scene::test

@@ -104,17 +104,21 @@ std::vector<double> read_fractions(const std::string& text) {
   return numbers;
 }
 
-/// Node of an edge that is nearest to a relative arc length.
-int nearest_on(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
-  const std::vector<double> arc = arc_lengths(mesh, edge);
-  const double wanted = fraction * arc.back();
+/// Which of some increasing arc lengths is nearest to one.
+std::size_t nearest(const std::vector<double>& arc, double wanted) {
   // A hair's breadth of preference for the first one makes a tie independent of rounding.
   const double hair = 1e-9 * arc.back();
   std::size_t best = 0;
   for (std::size_t k = 1; k < arc.size(); ++k) {
     if (std::abs(arc[k] - wanted) < std::abs(arc[best] - wanted) - hair) best = k;
   }
-  return edge[best];
+  return best;
+}
+
+/// Node of an edge that is nearest to a relative arc length.
+int nearest_on(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
+  const std::vector<double> arc = arc_lengths(mesh, edge);
+  return edge[nearest(arc, fraction * arc.back())];
 }
 
 FoundNodes place_on_edge(const Mesh& mesh, const std::string& name, const std::vector<int>& edge,
@@ -200,18 +204,36 @@ pattern::Panel edges_of(const Mesh& mesh, const MeshedPanel& panel) {
   return edges;
 }
 
-/// Nodes of a part of an edge, "front.armhole[notch1:end]".
+bool is_part(const std::string& name) {
+  return !name.empty() && name.back() == ']' && name.find('[') != std::string::npos;
+}
+
+/// A part of an edge, "front.armhole[notch1:end]".
+struct Part {
+  const std::vector<int>* edge = nullptr;
+  double from = 0.0, to = 0.0;  ///< arc lengths in the pattern, mm
+};
+
+/// Throws base::InputError if there is no such part.
+Part part_of(const Mesh& mesh, const MeshedPanel& panel, const std::string& name) {
+  const pattern::Panel edges = edges_of(mesh, panel);
+  const pattern::EdgePart part = pattern::find_part(edges, name.substr(panel.name.size() + 1));
+  const std::vector<int>& nodes = mesh.edges.at(panel.name + "." + part.edge->name);
+  const double length = arc_lengths(mesh, nodes).back();
+  return {&nodes, part.from * length, part.to * length};
+}
+
 FoundNodes find_part(const Mesh& mesh, const std::string& name) {
   const MeshedPanel* panel = panel_of(mesh, name.substr(0, name.find('.')));
   if (panel == nullptr) return unknown(mesh, name.substr(0, name.find('[')));
   try {
-    const pattern::Panel edges = edges_of(mesh, *panel);
-    const pattern::EdgePart part = pattern::find_part(edges, name.substr(panel->name.size() + 1));
-    const std::vector<int>& nodes = mesh.edges.at(panel->name + "." + part.edge->name);
-    const auto first = std::find(nodes.begin(), nodes.end(), nearest_on(mesh, nodes, part.from));
-    const auto last = std::find(first, nodes.end(), nearest_on(mesh, nodes, part.to));
-    if (last - first < 1) return failed("\"" + name + "\" is shorter than the side of an element");
-    return {std::vector<int>(first, last + 1), ""};
+    const Part part = part_of(mesh, *panel, name);
+    const std::vector<double> arc = arc_lengths(mesh, *part.edge);
+    const std::size_t first = nearest(arc, part.from), last = nearest(arc, part.to);
+    if (last < first + 1) return failed("\"" + name + "\" is shorter than the side of an element");
+    const auto begin = part.edge->begin();
+    return {std::vector<int>(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last + 1)),
+            "", std::max(std::abs(arc[first] - part.from), std::abs(arc[last] - part.to))};
   } catch (const base::InputError& error) {
     return failed(error.what());
   }
@@ -223,13 +245,36 @@ FoundNodes find_nodes(const Mesh& mesh, const std::string& name) {
   if (const auto* edge = edge_of(mesh, name)) return {*edge, ""};
   if (const MeshedPanel* panel = panel_of(mesh, name)) return {nodes_of(*panel), ""};
   if (const auto corner = corner_of(mesh, name)) return {{*corner}, ""};
-  if (!name.empty() && name.back() == ']' && name.find('[') != std::string::npos) return find_part(mesh, name);
+  if (is_part(name)) return find_part(mesh, name);
   const std::size_t at = name.rfind('@');
   if (at == std::string::npos) return unknown(mesh, name);
   const std::string place = name.substr(at + 1);
   if (place.size() > 1 && place.front() == '(' && place.back() == ')')
     return find_point(mesh, name, name.substr(0, at), place);
   return find_place(mesh, name, name.substr(0, at), read_fractions(place));
+}
+
+EdgeLengths edge_lengths(const Mesh& mesh, const std::string& name) {
+  const Part part = is_part(name) ? part_of(mesh, *panel_of(mesh, name.substr(0, name.find('.'))), name)
+                                  : Part{edge_of(mesh, name), 0.0, HUGE_VAL};
+  const std::vector<double> arc = arc_lengths(mesh, *part.edge);
+  EdgeLengths result{*part.edge, std::vector<double>(arc.size(), 0.0)};
+  for (std::size_t k = 0; k + 1 < arc.size(); ++k) {
+    const double from = std::max(arc[k], part.from), to = std::min(arc[k + 1], part.to);
+    if (!(to > from)) continue;
+    const double of_second = (0.5 * (from + to) - arc[k]) / (arc[k + 1] - arc[k]);  // shape function at the middle
+    result.lengths[k] += (to - from) * (1.0 - of_second);
+    result.lengths[k + 1] += (to - from) * of_second;
+  }
+  return result;
+}
+
+EdgePlace edge_place(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
+  const std::vector<double> arc = arc_lengths(mesh, edge);
+  const double wanted = fraction * arc.back();
+  const auto after = std::upper_bound(arc.begin() + 1, arc.end() - 1, wanted) - arc.begin();
+  const auto k = static_cast<std::size_t>(after);
+  return {edge[k - 1], edge[k], (wanted - arc[k - 1]) / (arc[k] - arc[k - 1])};
 }
 
 }  // namespace toile::mesh

@@ -335,6 +335,39 @@ std::vector<Section> Cutter::pieces(double height, const AxisPlace& axis) const 
   return all;
 }
 
+std::optional<Cutter::SeamInPlane> Cutter::seam_at(double height) const {
+  constexpr int least = 8;       // nodes of each panel: a seam that crosses the plane has one
+  constexpr double near = 0.05;  // of the elements' mean size
+  const mesh::Mesh& mesh = *garment_.mesh;
+  const std::vector<double> above = this->above(height, place(height));
+  double area = 0.0;
+  for (const Vec3& normal : normal_) area += 0.5 * normal.norm();
+  const double most = near * std::sqrt(area / static_cast<double>(normal_.size()));
+  std::map<int, std::map<int, double>> at_place;  // [tied][block] pressure
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (const int node : mesh.blocks[b].connectivity) {
+      const auto n = static_cast<std::size_t>(node);
+      if (std::abs(above[n]) <= most) at_place[tied_[n]][static_cast<int>(b)] = garment_.pressure[n];
+    }
+  struct Sums {
+    int places = 0;
+    std::array<double, 2> pressure{};
+  };
+  std::map<std::array<int, 2>, Sums> pairs;
+  for (const auto& [place, blocks] : at_place) {
+    if (blocks.size() != 2) continue;
+    const auto first = blocks.begin(), second = std::next(first);
+    Sums& sums = pairs[{first->first, second->first}];
+    ++sums.places;
+    sums.pressure[0] += first->second;
+    sums.pressure[1] += second->second;
+  }
+  for (const auto& [blocks, sums] : pairs)
+    if (sums.places >= least)
+      return SeamInPlane{blocks, {sums.pressure[0] / sums.places, sums.pressure[1] / sums.places}};
+  return std::nullopt;
+}
+
 std::vector<Section> Cutter::cut(double height) const {
   const AxisPlace axis = place(height);
   std::vector<Section> all = with_open_pieces_joined(pieces(height, axis));

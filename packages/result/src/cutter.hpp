@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "toile/result/pressure_lines.hpp"
@@ -39,6 +40,12 @@ class Cutter {
 
   /// In the order of the panels; open pieces of the same panels are one section.
   std::vector<Section> cut(double height) const;
+  /// Panels that a seam ties along the plane at this height: there the cut is now in the one, now in the other.
+  struct SeamInPlane {
+    std::array<int, 2> block;
+    std::array<double, 2> pressure;  ///< mean of each at the seam, MPa
+  };
+  std::optional<SeamInPlane> seam_at(double height) const;
   double lowest() const { return lowest_; }    ///< height, mm
   double highest() const { return highest_; }  ///< height, mm
   const GarmentFields& garment() const { return garment_; }

@@ -10,6 +10,7 @@
 
 #include "cutter.hpp"
 #include "layers.hpp"
+#include "toile/base/units.hpp"
 
 namespace toile::result {
 namespace {
@@ -134,6 +135,19 @@ std::vector<std::string> level_warnings(const GarmentFields& garment, const Axis
                                         const std::vector<LevelRow>& rows) {
   const Cutter cutter(garment, axis);
   std::vector<std::string> warnings;
+  for (const LevelRow& row : rows) {
+    const auto seam = row.reached() ? cutter.seam_at(row.height) : std::nullopt;
+    if (!seam || std::abs(seam->pressure[1] - seam->pressure[0]) <= row.pressure_error) continue;
+    std::ostringstream text;
+    text.precision(3);
+    const auto name = [&](int k) {
+      return "\"" + garment.mesh->blocks[static_cast<std::size_t>(seam->block[k])].name + "\"";
+    };
+    text << "level \"" << row.title() << "\" runs along the seam of panels " << name(0) << " and " << name(1)
+         << ", which press with " << base::mpa_to_kpa(seam->pressure[0]) << " and "
+         << base::mpa_to_kpa(seam->pressure[1]) << " kPa there: its values mix both. Put it beside the seam";
+    warnings.push_back(text.str());
+  }
   for (const LevelRow& row : rows) {
     if (row.closed) continue;
     std::ostringstream text;

@@ -87,7 +87,10 @@ void Record::add(const solve::StepReport& report, const solve::State& state, sol
   }
   for (size_t i = 0; i < distances_.size(); ++i) {
     const scene::Distance& distance = scene_.output().distances[i];
-    distances_[i].push_back((position[distance.second] - position[distance.first]).norm());
+    const auto at = [&](const mesh::EdgePlace& place) {
+      return solve::Vec3((1.0 - place.share) * position[place.first] + place.share * position[place.second]);
+    };
+    distances_[i].push_back((at(distance.second) - at(distance.first)).norm());
   }
 }
 

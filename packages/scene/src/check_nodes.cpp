@@ -23,7 +23,7 @@ void check_nodes(const base::List& scene, const mesh::Mesh& mesh) {
     check(point, on.substr(0, on.rfind('@')), mesh);
   }
   for (const base::List& distance : entries_of(scene.list("Output"), "Distances"))
-    for (const char* end : {"first", "second"}) edge_node(distance, mesh, end);
+    for (const char* end : {"first", "second"}) place_on_edge(distance, mesh, end);
 }
 
 }  // namespace toile::scene

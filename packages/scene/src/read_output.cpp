@@ -146,7 +146,7 @@ base::Texts names_of(const base::List& list, const std::string& name) {
   return names;
 }
 
-int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
+mesh::EdgePlace place_on_edge(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter) {
   const std::string& name = list.word(parameter);
   const auto edge = mesh.edges.find(name);
   if (edge == mesh.edges.end()) {
@@ -154,8 +154,7 @@ int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string&
     for (const auto& [key, nodes] : mesh.edges) valid.push_back(key);
     list.fail(parameter, unknown("edge", name, valid));
   }
-  const double at = list.real(parameter + " at") * static_cast<double>(edge->second.size() - 1);
-  return edge->second[static_cast<size_t>(std::lround(at))];
+  return mesh::edge_place(mesh, edge->second, list.real(parameter + " at"));
 }
 
 Output read_output(const base::List& scene) {
@@ -203,7 +202,7 @@ void find_places(const base::List& list, const solve::Problem& problem, Output& 
                     problem.supports[static_cast<size_t>(output.force_curves[c].support)]);
   for (const base::List& entry : entries_of(list, "Distances"))
     output.distances.push_back(
-        {entry.name(), edge_node(entry, *problem.mesh, "first"), edge_node(entry, *problem.mesh, "second")});
+        {entry.name(), place_on_edge(entry, *problem.mesh, "first"), place_on_edge(entry, *problem.mesh, "second")});
   for (const base::List& entry : entries_of(list, "Points")) output.points.push_back(read_point(entry, *problem.mesh));
   for (const base::List& entry : entries_of(list, "Body points"))
     output.body_points.push_back(place_on_body(entry, "at", vector_of(entry, "at"), problem.surface));

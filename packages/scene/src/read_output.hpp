@@ -16,7 +16,7 @@ Output read_output(const base::List& scene);
 /// Adds the rest: what lies on the garment and on the body. `list`: "Output".
 void find_places(const base::List& list, const solve::Problem& problem, Output& output);
 /// Of an entry of "Distances", `parameter`: "first" or "second". Throws base::InputError if it is no edge.
-int edge_node(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter);
+mesh::EdgePlace place_on_edge(const base::List& list, const mesh::Mesh& mesh, const std::string& parameter);
 /// `output`: what read_output found.
 std::vector<Check> read_checks(const base::List& scene, const Output& output);
 Accuracy read_accuracy(const base::List& scene);

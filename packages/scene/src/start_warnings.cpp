@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "read_output.hpp"
 #include "start_text.hpp"
 #include "toile/base/units.hpp"
 #include "toile/crossing/crossings.hpp"
+#include "toile/mesh/find_nodes.hpp"
 #include "toile/solve/fields.hpp"
 
 namespace toile::scene {
@@ -157,18 +159,39 @@ Texts size_warnings(const base::List& list, const std::vector<PanelStart>& panel
 
 Texts level_warnings(const Scene& scene) {
   constexpr double around = 0.25;  // of the garment's height, by which it may move
+  const Output& output = scene.output();
+  if (output.bent_axis) return {};
   double lower = HUGE_VAL, upper = -HUGE_VAL;
   for (const solve::Vec3& at : scene.start().position) {
-    lower = std::min(lower, at.z());
-    upper = std::max(upper, at.z());
+    const double height = (at - output.axis_point).dot(output.axis_direction.normalized());
+    lower = std::min(lower, height);
+    upper = std::max(upper, height);
   }
   const double margin = around * (upper - lower);
   Texts texts;
-  for (const Level& level : scene.output().levels)
+  for (const Level& level : output.levels)
     if (level.height < lower - margin || level.height > upper + margin)
       texts.push_back("level " + quoted(level.name) + " is at a height of " + short_number(level.height) +
                       " mm, and the garment starts between " + short_number(lower) + " and " + short_number(upper) +
                       " mm: nothing will be found there");
+  return texts;
+}
+
+Texts part_warnings(const base::List& list, const mesh::Mesh& mesh) {
+  constexpr double little = 0.01;  // of the part's length
+  Texts texts;
+  const auto look = [&](const base::List& entry, const char* what, const std::string& name) {
+    const mesh::FoundNodes found = mesh::find_nodes(mesh, name);
+    if (found.nodes.size() < 2 || found.off <= little * mesh::arc_lengths(mesh, found.nodes).back()) return;
+    texts.push_back(std::string(what) + " " + quoted(entry.name()) + ": " + name + " ends between nodes, " +
+                    short_number(found.off) +
+                    " mm from the nearest, where it is taken to end. Smaller elements make "
+                    "that less; on a panel that is meshed freely, a notch in its pattern makes a node");
+  };
+  for (const base::List& support : entries_of(list, "Supports"))
+    for (const std::string& name : support.words("on")) look(support, "support", name);
+  for (const base::List& seam : entries_of(list, "Seams"))
+    for (const char* side : {"first", "second"}) look(seam, "seam", seam.word(side));
   return texts;
 }
 

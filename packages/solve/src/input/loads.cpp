@@ -1,8 +1,10 @@
 // Forces on the garment.
 #include <algorithm>
+#include <utility>
 
 #include "input/read.hpp"
 #include "terms/pattern_areas.hpp"
+#include "toile/mesh/find_nodes.hpp"
 #include "toile/solve/spec.hpp"
 
 namespace toile::solve {
@@ -13,13 +15,13 @@ using base::Spec;
 
 Spec loads_spec() {
   Spec edge("edge", "Force along an edge that keeps its direction.");
-  edge.word("on", "Name of an edge, for instance front.top.")
+  edge.word("on", "Name of an edge or a part of one, for instance front.top or front.top[20mm:50mm].")
       .reals("traction", "N/mm", "Force per length of the pattern's edge at load 1 (x, y, z).");
   Spec point("point", "Force on one node that keeps its direction.");
   point.word("on", "Name of a corner (front.top-left), or a place on an edge (front.top@0.5) or in a panel.")
       .reals("force", "N", "Force at load 1 (x, y, z).");
   Spec moment("edge moment", "Moment along an edge of shells, about an axis that keeps its direction.");
-  moment.word("on", "Name of an edge, for instance front.top.")
+  moment.word("on", "Name of an edge or a part of one, for instance front.top or front.top[20mm:50mm].")
       .reals("moment", "N mm/mm", "Moment per length of the pattern's edge at load 1 (x, y, z).");
   Spec pressure("pressure", "Pressure that follows the panel: on its current area, along its current normal.");
   pressure.word("on", "Name of a panel.")
@@ -36,17 +38,6 @@ Spec loads_spec() {
 }
 
 namespace {
-
-/// Length of the pattern's edge that belongs to each of its nodes, mm.
-std::vector<double> nodal_lengths(const mesh::Mesh& mesh, const std::vector<int>& nodes) {
-  std::vector<double> lengths(nodes.size(), 0.0);
-  for (size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const double half = 0.5 * (mesh.pattern[nodes[i + 1]] - mesh.pattern[nodes[i]]).norm();
-    lengths[i] += half;
-    lengths[i + 1] += half;
-  }
-  return lengths;
-}
 
 /// Of the panel that parameter "on" of the entry calls `name`. Throws base::InputError.
 std::vector<int> blocks_of(const List& entry, const mesh::Mesh& mesh, const std::string& name) {
@@ -116,7 +107,9 @@ NodalLoad read_nodal_load(const List& entry, const mesh::Mesh& mesh) {
   } else if (load.nodes.size() < 2) {
     entry.fail("on", "\"" + on + "\" is a single node; a load per length needs an edge");
   } else {
-    load.share = nodal_lengths(mesh, load.nodes);
+    mesh::EdgeLengths edge = mesh::edge_lengths(mesh, on);
+    load.nodes = std::move(edge.nodes);
+    load.share = std::move(edge.lengths);
   }
   return load;
 }

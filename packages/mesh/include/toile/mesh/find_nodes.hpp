@@ -11,6 +11,7 @@ namespace toile::mesh {
 struct FoundNodes {
   std::vector<int> nodes;
   std::string problem;  ///< complete sentence with what is valid; empty: the nodes were found
+  double off = 0.0;     ///< mm in the pattern, of a part of an edge: how far its end lies from the node that is taken
 };
 
 /// Nodes of
@@ -26,5 +27,24 @@ struct FoundNodes {
 ///   side of an element.
 /// Numbers may be separated by blanks as well. Of two nodes that are equally near the first one is taken.
 FoundNodes find_nodes(const Mesh& mesh, const std::string& name);
+
+/// Nodes along an edge, each with the length of it that belongs to it in the pattern, mm: the integral of its shape
+/// function along the edge.
+struct EdgeLengths {
+  std::vector<int> nodes;
+  std::vector<double> lengths;
+};
+
+/// Of the edge, or the part of an edge, that find_nodes finds under this name; a part may end between nodes.
+EdgeLengths edge_lengths(const Mesh& mesh, const std::string& name);
+
+/// A point between two neighbouring nodes of an edge, (1 - share) first + share second.
+struct EdgePlace {
+  int first = 0, second = 0;
+  double share = 0.0;
+};
+
+/// At a relative arc length in the pattern along an edge of at least two nodes.
+EdgePlace edge_place(const Mesh& mesh, const std::vector<int>& edge, double fraction);
 
 }  // namespace toile::mesh

@@ -15,6 +15,7 @@
 #include "toile/garment/garment.hpp"
 #include "toile/material/material.hpp"
 #include "toile/mesh/bent_axis.hpp"
+#include "toile/mesh/find_nodes.hpp"
 #include "toile/scene/compression_class.hpp"
 #include "toile/scene/drapemeter.hpp"
 #include "toile/scene/tester.hpp"
@@ -46,7 +47,7 @@ struct ForceCurve {
 /// Distance between two points of named edges, written at every step.
 struct Distance {
   std::string title;
-  int first = 0, second = 0;  ///< nodes
+  mesh::EdgePlace first, second;
 };
 
 /// A node whose displacement is written at every step.
