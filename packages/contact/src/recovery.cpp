@@ -317,7 +317,8 @@ std::vector<bool> Recoverer::at_hidden_turn() const {
         const Vec3 turn = b.surface.normal - a.surface.normal;
         const Vec3 told = 0.5 * (a.surface.hessian + b.surface.hessian) * (b.position - a.position);
         if (turn.norm() < least || (turn - told).norm() < part * turn.norm()) continue;
-        for (int k = 0; k < element.nodes; ++k) hidden[static_cast<size_t>(element.site[static_cast<size_t>(k)])] = true;
+        for (int k = 0; k < element.nodes; ++k)
+          hidden[static_cast<size_t>(element.site[static_cast<size_t>(k)])] = true;
       }
   return hidden;
 }
