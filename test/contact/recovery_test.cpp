@@ -215,7 +215,7 @@ TEST(Recovery, KnowsNothingOfAHiddenTurn) {
       const contact::SitePressure& site = recovery.site[static_cast<size_t>(Patch::node(i, j))];
       EXPECT_GT(site.pressure, 1e-3);
       if (i == 4 || i == 5) {
-        EXPECT_EQ(site.error, site.pressure);
+        EXPECT_GE(site.error, site.pressure);
       } else if (i < 4) {
         EXPECT_LT(site.error, 0.1 * site.pressure);
       }

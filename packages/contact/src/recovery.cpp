@@ -348,7 +348,7 @@ Recovery Recoverer::run() {
     const bool held = cluster(site).held;
     const bool told = (place(site) != Place::isolated || held) && cluster(site).surface.found;
     const std::optional<SitePressure> found = told ? fitted(site) : std::nullopt;
-    unknown[s] = !found || std::isinf(found->error) || hidden[s];
+    unknown[s] = !found || std::isinf(found->error);
     out_.site[s] = found.value_or(SitePressure{force_pressure, 0.0});
     if (unknown[s]) out_.site[s].error = 0.0;
     if (found) out_.site[s].of_body = out_.site[s].body_change = body_change(site);
@@ -367,6 +367,7 @@ Recovery Recoverer::run() {
     SitePressure& site = out_.site[s];
     site.error = std::max(site.error, least * site.pressure);
     if (unknown[s]) site.error = site.pressure;
+    if (hidden[s]) site.error = std::max(site.error, site.pressure);
     if (!touches(static_cast<int>(s))) site = {0.0, 0.0, pressure_of_wider_body(static_cast<int>(s)), 0.0};
   }
   return out_;
