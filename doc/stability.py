@@ -16,11 +16,12 @@ import study_tables as tables
 HEAD = """# Stability matrix
 
 Made by `doc/stability.py` from `input/stability.xml`; see [study](study.md) for the verdicts. A cell is right if its error is at
-most its own error bar and 2 % together. Of a pressure the bar is the one that the run tells; a force has none.
+most its own error bar and 2 % together; one that only ran has no reference, and the reason is what it warns of. Of a pressure
+the bar is the one that the run tells; a force has none.
 The condition number is that of the last tangent in its unknowns (mm, radians), on the surface in contact.
 
 """
-VERDICTS = ["right", "warned", "refused", "wrong", "crashed", "endless"]
+VERDICTS = ["right", "ran", "warned", "refused", "wrong", "crashed", "endless"]
 
 
 def reason_of(text):
@@ -33,16 +34,17 @@ def part(folder):
     rows = tables.table(folder, "study")
     axes = list(rows[0])[1:list(rows[0]).index("verdict")]
     text = ""
+    verdicts = [v for v in VERDICTS if v != "ran" or any(row["verdict"] == v for row in rows)]
     for axis in axes:
         counts = collections.OrderedDict()
         for row in rows:
             counts.setdefault(row[axis], collections.Counter())[row["verdict"]] += 1
         if len(counts) > 1:
-            text += f"\n| {axis} | " + " | ".join(VERDICTS) + " | largest condition number |\n|---|" + "---|" * len(VERDICTS)
+            text += f"\n| {axis} | " + " | ".join(verdicts) + " | largest condition number |\n|---|" + "---|" * len(verdicts)
             text += "---|\n"
             for value, count in counts.items():
                 conditions = [float(row["condition number"]) for row in rows if row[axis] == value and row["condition number"]]
-                text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in VERDICTS)
+                text += f"| {value} | " + " | ".join(str(count[v]) if count[v] else "" for v in verdicts)
                 text += f" | {max(conditions):.0e} |\n" if conditions else " | |\n"
     reasons = collections.Counter((row["verdict"], reason_of(row["reason"])) for row in rows if row["verdict"] != "right")
     if reasons:

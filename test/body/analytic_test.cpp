@@ -109,6 +109,25 @@ TEST(Analytic, ClosestPointIsTheGlobalMinimum) {
   }
 }
 
+// Beyond the tip of a cone, at either end, the gap is the distance to the tip, with its derivatives, on the axis too;
+// beside the cone it is the distance to the flank.
+TEST(Analytic, TipOfACone) {
+  const double half = std::sqrt(0.5);
+  for (const double up : {1.0, -1.0}) {
+    const auto cone = revolution(linear_profile(60.0, -up), {-10.0, 10.0}, "cone");
+    for (const Vec3& off : {Vec3(0.3, -0.4, 1.2), Vec3(0.0, 0.0, 1.3), Vec3(0.0, 0.0, 1e-4), Vec3(3.0, 4.0, 5.1)}) {
+      const Vec3 from(off.x(), off.y(), up * off.z());
+      const SurfacePoint p = cone->closest(Vec3(0.0, 0.0, up * 60.0) + from);
+      const Vec3 n = from.normalized();
+      EXPECT_TRUE(p.found);
+      EXPECT_NEAR(p.gap / from.norm(), 1.0, 1e-9);
+      EXPECT_LT((p.normal - n).norm(), 1e-9);
+      EXPECT_LT((p.hessian * from.norm() - (Mat3::Identity() - n * n.transpose())).norm(), 1e-6);
+    }
+    EXPECT_NEAR(cone->closest(Vec3(5.0, 0.0, up * 58.0)).gap, 3.0 * half, 1e-12);
+  }
+}
+
 // On the axis, where the gap has no derivative, the answer is "not found" with the right negative gap, not a number
 // without meaning.
 TEST(Analytic, AxisIsOutOfReach) {

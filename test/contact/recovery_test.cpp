@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 
@@ -194,6 +195,31 @@ TEST(Recovery, FlagsIsolatedContacts) {
   EXPECT_EQ(recovery.isolated, 1);
   EXPECT_NEAR(recovery.site[static_cast<size_t>(Patch::node(4, 3))].pressure, 0.01, 1e-15);
   EXPECT_EQ(recovery.site[static_cast<size_t>(Patch::node(4, 3))].error, 0.01);
+}
+
+// Where the body turns between two nodes by more than its curvature at them tells, as over the tip of a cone, the error
+// is the pressure; further off it is that of the fit.
+TEST(Recovery, KnowsNothingOfAHiddenTurn) {
+  Patch patch(linear);
+  constexpr double edge = 0.5;  // rad
+  const Eigen::AngleAxisd turn(edge, Vec3::UnitZ());
+  for (int j = 0; j <= along; ++j)
+    for (int i = 5; i <= across; ++i) {
+      body::SurfacePoint& surface = patch.at(Patch::node(i, j)).surface;
+      surface.normal = turn * surface.normal;
+      surface.hessian = turn * surface.hessian * turn.inverse();
+    }
+  const contact::Recovery recovery = contact::recover(patch);
+  for (int j = 0; j <= along; ++j)
+    for (int i = 0; i <= across; ++i) {
+      const contact::SitePressure& site = recovery.site[static_cast<size_t>(Patch::node(i, j))];
+      EXPECT_GT(site.pressure, 1e-3);
+      if (i == 4 || i == 5) {
+        EXPECT_GE(site.error, site.pressure);
+      } else if (i < 4) {
+        EXPECT_LT(site.error, 0.1 * site.pressure);
+      }
+    }
 }
 
 // A node that the tilt of its facets lifts by less than a chord sags, among nodes in contact, has its pressure; one

@@ -21,7 +21,7 @@ SurfacePtr make_cone(const List& list, const Region* /*region*/, BodyFindings* /
 }  // namespace
 
 Kind cone_kind() {
-  Spec spec("cone", "Cone about z: its radius is 'radius' + 'slope' z.");
+  Spec spec("cone", "Cone about z, up to its tip: its radius is 'radius' + 'slope' z.");
   spec.real("radius", "mm", "Radius at z = 0.", base::required, Range::positive());
   spec.real("slope", "", "Increase of the radius per height.", base::required);
   add_span(spec, 0.0, 200.0);

@@ -38,6 +38,18 @@ double ellipse_curvature(double a, double b, const Vec2& foot) {
   return a * b / std::pow(a * a * s * s + b * b * c * c, 1.5);
 }
 
+/// Closest point where the meridian has passed the axis at `beyond`, in a straight line: the tip, seen as a ball of no
+/// size. Its offset surfaces are spheres, so that half a thickness of fabric rounds it.
+PlanarPoint closest_on_tip(const Profile::Value& value, double beyond, const Vec2& point) {
+  constexpr double curvature = 1e12;  // 1/mm
+  PlanarPoint tip;
+  tip.foot = {0.0, beyond - value.radius / value.slope};
+  tip.gap = (point - tip.foot).norm();
+  tip.normal = tip.gap > 0.0 ? Vec2((point - tip.foot) / tip.gap) : Vec2(0.0, value.slope < 0.0 ? 1.0 : -1.0);
+  tip.curvature = curvature;
+  return tip;
+}
+
 /// Interval around the global minimum of the squared distance to the meridian. The foot is at most |rho - r(z)| above
 /// or below the point, because the point of the meridian at its own height is that near.
 std::pair<double, double> bracket(const Profile& profile, const Vec2& point) {
@@ -94,6 +106,7 @@ PlanarPoint closest_on_profile(const Profile& profile, const Vec2& point) {
       break;
     }
   }
+  if (value.radius < 0.0 && value.slope != 0.0) return closest_on_tip(value, z, point);
   PlanarPoint result;
   const double length = std::hypot(1.0, value.slope);
   result.foot = {value.radius, z};
