@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/program.hpp"
+#include "cases/line_stations.hpp"
 
 namespace toile::test {
 namespace {
@@ -67,6 +68,26 @@ TEST_F(Half, HasTheLevelsOfTheWhole) {
   const double laplace = 2.0 * 0.05 * 0.5 * (stretch - 1.0 / (stretch * stretch)) * std::sqrt(stretch) / 50.0;  // MPa
   EXPECT_NEAR(std::stod(cells.at(2)), 1000.0 * laplace, 0.003 * 1000.0 * laplace);  // chords of 8 mm take 0.2 %
   EXPECT_NEAR(std::stod(cells.at(10)), 2.0 * M_PI * 50.0, 0.5);
+}
+
+// A line round the body and points of it tell beyond the plane of symmetry what its mirror image presses with.
+TEST_F(Half, HasTheLinesAndPointsOfTheWhole) {
+  std::string scene = half_tube();
+  const std::string output = "<ParameterList name=\"Output\">";
+  scene.insert(scene.find(output) + output.size(),
+               R"xml(<ParameterList name="Lines"><ParameterList name="round">
+    <Parameter name="type" type="string" value="level"/><Parameter name="height" type="double" value="25"/>
+    <Parameter name="from" type="Array(double)" value="{0, 50, 25}"/>
+    <Parameter name="stations" type="int" value="13"/></ParameterList></ParameterList>)xml");
+  write("scene.xml", scene);
+  const Outcome run = toile("run scene.xml --output out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::vector<Station> line = line_stations(read("out/pressure-lines.csv"));
+  ASSERT_EQ(line.size(), 13U);
+  for (const Station& s : line) {
+    EXPECT_GT(s.kpa, 0.0);
+    EXPECT_NEAR(s.kpa, line.front().kpa, 1e-3 * line.front().kpa) << "y " << s.y;
+  }
 }
 
 // A hem that is held at its height is no plane of symmetry: what lies beside it is told to be at a support.

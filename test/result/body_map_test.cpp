@@ -188,5 +188,13 @@ TEST(BodyMap, WallsOfASpannedGrooveTakeNone) {
   EXPECT_NEAR(on[4], 1.0, 1e-9);
 }
 
+// Facets that cut through an edge of the body lie on it, however deep they pass below.
+TEST(BodyMap, FacetsThroughAnEdgeLieOnIt) {
+  Sleeve sleeve;
+  std::fill(sleeve.distance.begin(), sleeve.distance.end(), 0.0);
+  for (mesh::Vec3& node : sleeve.mesh.placed) node.head<2>() *= (radius - 3.0) / (radius + offset);
+  expect_under_sleeve(sleeve.body, sleeve.map(), 3.1);
+}
+
 }  // namespace
 }  // namespace toile::result::test

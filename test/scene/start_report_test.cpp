@@ -208,7 +208,7 @@ TEST(StartReport, WarnsOfAPartThatEndsBetweenNodes) {
   };
   EXPECT_THAT(warnings("tube.top[0.3:0.77]"),
               ::testing::Contains(AllOf(HasSubstr("support \"part\": tube.top[0.3:0.77] ends between nodes, "),
-                                        HasSubstr(" mm from the nearest"))));
+                                        HasSubstr(" mm from the nearest, which is taken"))));
   EXPECT_THAT(warnings("tube.top[0.25:0.75]"), ::testing::Not(::testing::Contains(HasSubstr("between nodes"))));
 }
 
@@ -223,6 +223,20 @@ TEST(StartReport, LevelsCountAlongTheAxis) {
   };
   EXPECT_THAT(warnings(10050.0), IsEmpty());
   EXPECT_THAT(warnings(50.0), ElementsAre(HasSubstr("level \"middle\" is at a height of 50 mm")));
+}
+
+// A garment that reaches beyond the levels of its body is told from where to where the body is given.
+TEST(StartReport, WarnsOfABodyThatIsNotGivenThere) {
+  ParameterList list = tube_scene();
+  list.remove("Body");
+  ParameterList& body = list.sublist("Body");
+  body.set("type", std::string("profile")).set("radii", reals({60, 60}));
+  body.set("levels", reals({0, 60}));
+  EXPECT_THAT(look(list).warnings,
+              ElementsAre(HasSubstr("the body is given from z = 0 to 60 mm, and the garment starts "
+                                    "between 10 and 120 mm")));
+  body.set("levels", reals({0, 120}));
+  EXPECT_THAT(look(list).warnings, IsEmpty());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using base::List;
 using base::Range;
 using base::Spec;
 
-SurfacePtr make_profile(const List& list, const Region* /*region*/, BodyFindings* /*findings*/) {
+SurfacePtr make_profile(const List& list, const Region* /*region*/, BodyFindings* findings) {
   const auto& levels = list.reals("levels");
   if (levels.size() < 2 || std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end()) {
     list.fail("levels", "needs two or more heights in increasing order");
@@ -20,6 +20,7 @@ SurfacePtr make_profile(const List& list, const Region* /*region*/, BodyFindings
     list.fail("radii", "needs one radius for each of the " + std::to_string(levels.size()) + " levels");
   }
   const Span span{levels.front(), levels.back()};
+  if (findings != nullptr) findings->known_heights = {levels.front(), levels.back()};
   return positive_revolution(list, "radii", spline_profile(levels, list.reals("radii")), span, span, "profile");
 }
 

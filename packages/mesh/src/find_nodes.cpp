@@ -115,15 +115,16 @@ std::size_t nearest(const std::vector<double>& arc, double wanted) {
   return best;
 }
 
-/// Node of an edge that is nearest to a relative arc length.
-int nearest_on(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
+/// Node of an edge that is nearest to a relative arc length, and how far off it is.
+FoundNodes nearest_on(const Mesh& mesh, const std::vector<int>& edge, double fraction) {
   const std::vector<double> arc = arc_lengths(mesh, edge);
-  return edge[nearest(arc, fraction * arc.back())];
+  const std::size_t best = nearest(arc, fraction * arc.back());
+  return {{edge[best]}, "", std::abs(arc[best] - fraction * arc.back())};
 }
 
 FoundNodes place_on_edge(const Mesh& mesh, const std::string& name, const std::vector<int>& edge,
                          const std::vector<double>& place) {
-  if (place.size() == 1) return {{nearest_on(mesh, edge, place[0])}, ""};
+  if (place.size() == 1) return nearest_on(mesh, edge, place[0]);
   return failed("\"" + name + "\" must have one number from 0 to 1 after the @, the relative length along the edge");
 }
 
@@ -140,7 +141,8 @@ FoundNodes place_in_panel(const Mesh& mesh, const std::string& name, const std::
     return failed("panel \"" + panel + "\" has no rows and columns of elements; a point of its pattern is \"" + panel +
                   "@(12.5,40)\"");
   // Rows are numbered one after another (see Grid).
-  return {{nearest_on(mesh, *left, place[1]) + nearest_on(mesh, *bottom, place[0]) - bottom->front()}, ""};
+  const FoundNodes row = nearest_on(mesh, *left, place[1]), column = nearest_on(mesh, *bottom, place[0]);
+  return {{row.nodes.front() + column.nodes.front() - bottom->front()}, "", std::max(row.off, column.off)};
 }
 
 FoundNodes find_place(const Mesh& mesh, const std::string& name, const std::string& set,

@@ -67,13 +67,13 @@ class Finder {
     for (const Hit& hit : tree_.crossings(point - reach_ * normal, point + reach_ * normal)) {
       const bool is_new = std::none_of(layers.begin(), layers.end(), [&](const Layer& l) { return touch(l.hit, hit); });
       if (is_new && lies_over(hit, (hit.point - point).norm(), normal)) {
-        layers.push_back(layer(hit, (hit.point - point).norm(), point));
+        layers.push_back(layer(hit, (hit.point - point).norm(), point, normal));
       }
     }
     if (layers.empty()) {  // beside the edge of a facet that the body's is not parallel to
       const Hit hit = tree_.closest(point);
       if (lies_over(hit, hit.distance, normal) && faces(hit, point)) {
-        layers.push_back(layer(hit, hit.distance, point));
+        layers.push_back(layer(hit, hit.distance, point, normal));
       }
     }
     return layers;
@@ -115,8 +115,9 @@ class Finder {
     return distance <= options_.limit + usual(hit) && below.dot(normal) >= options_.agreement * below.norm();
   }
 
-  Layer layer(const Hit& hit, double distance, const Vec3& point) const {
-    if (distance <= usual(hit) + slack(hit)) {
+  /// Facets over an edge of the body cut through it: fabric below the point lies on it.
+  Layer layer(const Hit& hit, double distance, const Vec3& point, const Vec3& normal) const {
+    if ((hit.point - point).dot(normal) <= 0.0 || distance <= usual(hit) + slack(hit)) {
       return {hit, 0.0, true};
     }
     return {hit, tree_.closest(point).distance - usual(hit), false};

@@ -41,6 +41,40 @@ std::optional<std::pair<int, double>> mirror_plane(const scene::Scene& scene, co
   return std::pair(static_cast<int>(normal), std::round(place / flat) * flat);
 }
 
+/// Of a garment that lies on one side of a plane of symmetry: places and normals beyond it, seen in the plane.
+class MirrorImages {
+ public:
+  explicit MirrorImages(const scene::Scene& scene) {
+    constexpr double on_plane = 1e-3;  // mm
+    for (const solve::Support& support : scene.problem().supports) {
+      const auto plane = mirror_plane(scene, support);
+      if (!plane) continue;
+      double least = HUGE_VAL, most = -HUGE_VAL;
+      for (const solve::Vec3& node : scene.problem().mesh->placed) {
+        least = std::min(least, node[plane->first] - plane->second);
+        most = std::max(most, node[plane->first] - plane->second);
+      }
+      if (least >= -on_plane) planes_.push_back({plane->first, plane->second, 1.0});
+      if (most <= on_plane) planes_.push_back({plane->first, plane->second, -1.0});
+    }
+  }
+  void bring_back(solve::Vec3& place, solve::Vec3& normal) const {
+    for (const Plane& plane : planes_) {
+      const double off = place[plane.axis] - plane.at;
+      if (off * plane.side >= 0.0) continue;
+      place[plane.axis] = plane.at - off;
+      normal[plane.axis] = -normal[plane.axis];
+    }
+  }
+
+ private:
+  struct Plane {
+    int axis;
+    double at, side;  ///< mm; 1: the garment lies above
+  };
+  std::vector<Plane> planes_;
+};
+
 /// With its error: `parts` is [solve::error_parts()][place] MPa.
 PointPressure with_parts(PointPressure at, const std::vector<std::vector<double>>& parts, std::size_t place) {
   for (const std::vector<double>& part : parts) at.error_parts.push_back(part[place]);
@@ -152,9 +186,11 @@ std::vector<PointPressure> point_pressures(const scene::Scene& scene, const std:
 std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::vector<scene::BodyPoint>& at,
                                           const solve::Fields& fields, const solve::StepReport& report) {
   std::vector<solve::Vec3> places, normals;
+  const MirrorImages images(scene);
   for (const scene::BodyPoint& point : at) {
     places.push_back(point.place);
     normals.push_back(point.normal);
+    images.bring_back(places.back(), normals.back());
   }
   if (places.empty()) return {};
   const result::BodyMap map(on_body(scene.problem(), fields, report.seam), places, normals);

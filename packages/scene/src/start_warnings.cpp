@@ -101,6 +101,21 @@ Texts scale_warnings(const body::BodyFindings& body, const std::vector<PanelStar
           "\"height range\", which ends this warning"};
 }
 
+Texts beyond_warnings(const Scene& scene) {
+  constexpr double little = 1.0;  // mm
+  const auto& known = scene.body().known_heights;
+  if (!known) return {};
+  double lower = HUGE_VAL, upper = -HUGE_VAL;
+  for (const solve::Vec3& at : scene.start().position) {
+    lower = std::min(lower, at.z());
+    upper = std::max(upper, at.z());
+  }
+  if (lower >= (*known)[0] - little && upper <= (*known)[1] + little) return {};
+  return {"the body is given from z = " + short_number((*known)[0]) + " to " + short_number((*known)[1]) +
+          " mm, and the garment starts between " + short_number(lower) + " and " + short_number(upper) +
+          " mm: beyond its levels the body goes on straight, which nobody measured"};
+}
+
 Texts girth_warnings(const std::vector<PanelStart>& panels) {
   constexpr double wider = 0.9999;
   double largest = 0.0;
@@ -177,19 +192,23 @@ Texts level_warnings(const Scene& scene) {
   return texts;
 }
 
-Texts part_warnings(const base::List& list, const mesh::Mesh& mesh) {
-  constexpr double little = 0.01;  // of the part's length
+Texts place_warnings(const base::List& list, const mesh::Mesh& mesh) {
+  constexpr double of_part = 0.01, of_place = 0.1;  // of its length; mm
   Texts texts;
   const auto look = [&](const base::List& entry, const char* what, const std::string& name) {
     const mesh::FoundNodes found = mesh::find_nodes(mesh, name);
-    if (found.nodes.size() < 2 || found.off <= little * mesh::arc_lengths(mesh, found.nodes).back()) return;
-    texts.push_back(std::string(what) + " " + quoted(entry.name()) + ": " + name + " ends between nodes, " +
-                    short_number(found.off) +
-                    " mm from the nearest, where it is taken to end. Smaller elements make "
-                    "that less; on a panel that is meshed freely, a notch in its pattern makes a node");
+    if (found.nodes.empty() || found.off == 0.0) return;
+    const bool is_part = found.nodes.size() > 1;
+    if (found.off <= (is_part ? of_part * mesh::arc_lengths(mesh, found.nodes).back() : of_place)) return;
+    texts.push_back(std::string(what) + " " + quoted(entry.name()) + ": " + name +
+                    (is_part ? " ends between nodes, " : " lies between nodes, ") + short_number(found.off) +
+                    " mm from the nearest, which is taken. Smaller elements make that less; on a panel that is meshed "
+                    "freely, a notch in its pattern makes a node");
   };
   for (const base::List& support : entries_of(list, "Supports"))
     for (const std::string& name : support.words("on")) look(support, "support", name);
+  for (const base::List& load : entries_of(list, "Loads"))
+    if (load.word("type") == "point") look(load, "load", load.word("on"));
   for (const base::List& seam : entries_of(list, "Seams"))
     for (const char* side : {"first", "second"}) look(seam, "seam", seam.word(side));
   return texts;

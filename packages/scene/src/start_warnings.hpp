@@ -13,6 +13,8 @@ namespace toile::scene {
 std::vector<std::string> stretch_warnings(const PanelStart& panel);
 /// A body from a file that another "scale" would make a person of.
 std::vector<std::string> scale_warnings(const body::BodyFindings& body, const std::vector<PanelStart>& panels);
+/// A garment that reaches beyond the heights between which its body is given.
+std::vector<std::string> beyond_warnings(const Scene& scene);
 /// A garment that is wider than its body everywhere.
 std::vector<std::string> girth_warnings(const std::vector<PanelStart>& panels);
 /// More than 200 mmHg.
@@ -23,8 +25,8 @@ std::vector<std::string> depth_warnings(const PanelStart& panel);
 std::vector<std::string> size_warnings(const base::List& list, const std::vector<PanelStart>& panels);
 /// Levels of the output that lie far above or below the garment.
 std::vector<std::string> level_warnings(const Scene& scene);
-/// Supports and seams on parts of edges that end between nodes; `list`: of the scene.
-std::vector<std::string> part_warnings(const base::List& list, const mesh::Mesh& mesh);
+/// Supports, forces and seams at places between nodes; `list`: of the scene.
+std::vector<std::string> place_warnings(const base::List& list, const mesh::Mesh& mesh);
 /// Fabrics with parameters that the data of their fit left open.
 std::vector<std::string> fit_warnings(const Scene& scene);
 /// A weight that no fabric has; `list`: of the scene.

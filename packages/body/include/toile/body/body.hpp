@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -42,6 +43,8 @@ struct BodyFindings {
   double height = 0.0;  ///< mm, in it
   /// If the scale is given, makes no person of the body, and nothing says that it is a part of one.
   std::optional<OtherUnit> person;
+  /// z between which the list gives the body's shape, mm; beyond, it goes on straight. Empty: everywhere.
+  std::optional<std::array<double, 2>> known_heights;
 };
 
 /// Description of the scene's list "Body".

@@ -11,7 +11,7 @@ namespace toile::mesh {
 struct FoundNodes {
   std::vector<int> nodes;
   std::string problem;  ///< complete sentence with what is valid; empty: the nodes were found
-  double off = 0.0;     ///< mm in the pattern, of a part of an edge: how far its end lies from the node that is taken
+  double off = 0.0;     ///< mm in the pattern: how far a place, or the end of a part of an edge, is from the node taken
 };
 
 /// Nodes of
