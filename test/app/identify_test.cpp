@@ -8,6 +8,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Identify = ProgramTest;
 
@@ -51,6 +52,55 @@ TEST_F(Identify, BadInput) {
   EXPECT_THAT(no_data.err, HasSubstr("cannot read the data file wale.csv"));
   EXPECT_FALSE(exists("out"));
   EXPECT_EQ(toile("identify").status, 2);
+}
+
+// A fit of one wale curve says nothing of the course: the material that it writes makes each run tell so, of the
+// parameter and, where the fabric is stretched along the course, of the stretch that no test reached.
+TEST_F(Identify, RunsTellWhatTheDataLeftOpen) {
+  std::ostringstream rows;
+  rows << "stretch [-], nominal stress [MPa]\n";
+  for (int i = 1; i <= 10; ++i) {
+    const double stretch = 1.0 + 0.05 * i;
+    rows << stretch << ", " << 0.02 * (stretch - 1.0 / (stretch * stretch)) + 0.05 * (stretch - 1.0) << "\n";
+  }
+  write("wale.csv", rows.str());
+  const auto parameter = [](const std::string& name, const std::string& type, const std::string& value) {
+    return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+  };
+  const auto list = [](const std::string& name, const std::string& content) {
+    return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>";
+  };
+  std::string free;
+  for (const char* name : {"C10", "c0", "d0"})
+    free += list(name, parameter("lower", "double", "0.001") + parameter("upper", "double", "1"));
+  write("fit.xml",
+        list("fit", list("Material", list("fabric", parameter("type", "string", "rebar"))) + list("Free", free) +
+                        list("Data", list("wale", parameter("file", "string", "wale.csv") +
+                                                      parameter("kind", "string", "uniaxial") +
+                                                      parameter("angle", "double", "0"))) +
+                        list("Algorithm", parameter("generations", "int", "20") + parameter("starts", "int", "1"))));
+  const Outcome fit = toile("identify fit.xml --output fitted");
+  ASSERT_EQ(fit.status, 0) << fit.err;
+  EXPECT_THAT(read("fitted/material.xml"),
+              AllOf(HasSubstr("name=\"not determined\" type=\"Array(string)\" value=\"{d0}\""),
+                    HasSubstr("name=\"tested wale stretch\" type=\"double\" value=\"1.5\""),
+                    HasSubstr("name=\"tested course stretch\" type=\"double\" value=\"1\"")));
+
+  const std::string open = "fabric \"fabric\": the data of its fit did not determine d0: pressures that depend on it";
+  const std::string beyond = "panel \"strip\" is stretched along the course to 1.";
+  const std::string itskov =
+      "<ParameterList name=\"fabric\">\n      <Parameter name=\"type\" type=\"string\" value=\"itskov\"/>\n      "
+      "<Parameter name=\"set\" type=\"string\" value=\"pantyhose\"/>\n    </ParameterList>";
+  const std::string size = "<Parameter name=\"width\"";
+  write_scene("strip", {{itskov, read("fitted/material.xml")}});
+  const Outcome wale = toile("run scene.xml --output out");
+  EXPECT_EQ(wale.status, 0) << wale.err;
+  EXPECT_THAT(wale.err, AllOf(HasSubstr(open), Not(HasSubstr(beyond))));
+  write_scene("strip", {{itskov, read("fitted/material.xml")}, {size, parameter("wale angle", "double", "0") + size}});
+  const Outcome course = toile("run scene.xml --output out");
+  EXPECT_EQ(course.status, 0) << course.err;
+  EXPECT_THAT(course.err, AllOf(HasSubstr(open), HasSubstr(beyond),
+                                HasSubstr("the tests that its fabric \"fabric\" was fitted to reach 1 there")));
 }
 
 // doc/identify-reference.md is what the program prints, so that it cannot drift.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lists.hpp"
-#include "toile/garment/panel.hpp"
+#include "toile/garment/garment.hpp"
 
 namespace toile::garment {
 namespace {
@@ -73,6 +73,15 @@ TEST_P(ZonesOf, HaveTheAreasThatWereDrawn) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ZonesOf, ::testing::Values("quadrilateral", "triangle"),
                          [](const auto& instance) { return std::string(instance.param); });
+
+// A zone and a panel whose parts would have one name in the results are refused, both named.
+TEST(Zones, NamesOfPartsDiffer) {
+  Teuchos::ParameterList panels = rectangle("quadrilateral");
+  zone(panels, "z").set("band", reals({10.0, 20.0}));
+  panels.set("front-z", rectangle("quadrilateral").sublist("front"));
+  EXPECT_THAT(input_error([&] { cut_garment(base::validate(panels, panels_spec(), "scene.xml"), nullptr); }),
+              HasSubstr("zone \"z\" of panel \"front\" and panel \"front-z\" would both be named \"front-z\""));
+}
 
 // A zone that cannot be is refused with its name and what is allowed.
 TEST(Zones, BadOnesAreRefused) {

@@ -84,5 +84,28 @@ TEST(CalibratedRange, OfOtherLaws) {
   EXPECT_THAT(range_text(range), Not(HasSubstr("calibrated strain")));
 }
 
+// What a run is told of: each direction as far as it was tested, fabric at rest counting as tested. The curve of a law
+// that is the same along both tests both.
+TEST(CalibratedRange, OfEachDirection) {
+  const auto limits = [](const std::string& material, const std::string& free, const std::string& name) {
+    const FitFolder folder;
+    const std::vector<VirtualTest> tests = {{"wale", "uniaxial", 0.0, 1.5}};
+    folder.measure(tests, 0.0);
+    folder.write_fit(material, free, "", tests, "");
+    const FitProblem fit(folder.read());
+    ParameterStatistics statistics;
+    statistics.open = {true};
+    const material::FitLimits all = fit_limits(fit, statistics, calibrated_range(fit, fit.params({0.5})));
+    EXPECT_THAT(all.undetermined, ::testing::ElementsAre(name));
+    return std::pair(all.wale, all.course);
+  };
+  const auto [wale, course] = limits(rebar, mu, "C10");
+  EXPECT_NEAR(wale, 1.5, 1e-12);
+  EXPECT_EQ(course, 1.0);
+  const auto [one, other] = limits(parameter("type", "string", "neo-hookean"), mu, "C10");
+  EXPECT_NEAR(one, 1.5, 1e-12);
+  EXPECT_EQ(other, one);
+}
+
 }  // namespace
 }  // namespace toile::identify::test

@@ -120,6 +120,24 @@ TEST(Statistics, ActiveCondition) {
   EXPECT_THAT(fit.report(), HasSubstr("On the edge of the condition \"sum\""));
 }
 
+// A parameter that no curve depends on is open, wherever it stands: inside of its bounds, or on one.
+TEST(Statistics, ParameterWithoutEffect) {
+  const FitFolder folder;
+  const std::vector<VirtualTest> tests = {{"wale", "uniaxial", 0.0, 1.5}};
+  folder.measure(tests, 0.0);
+  folder.write_fit(parameter("type", "string", "rebar"),
+                   free_parameter("C10", 1e-3, 1.0) + free_parameter("c0", -1.0, 1.0) + free_parameter("d0", 0.0, 1.0),
+                   "", tests, "");
+  const FitProblem problem(folder.read());
+  for (const double x : {0.0, 0.4}) {
+    FitResult result;
+    result.params = problem.params({0.01, 0.6, x});
+    result.starts = {{1, 1.0, 1.0, 1.0, {0.01, 0.6, x}}};
+    result.chi_squared = 1.0;
+    EXPECT_THAT(parameter_statistics(problem, result).open, ::testing::ElementsAre(false, false, true)) << x;
+  }
+}
+
 // A bound and a condition together leave nothing: both parameters are held, and no combination is open.
 TEST(Statistics, NothingLeft) {
   const LinearFit fit(

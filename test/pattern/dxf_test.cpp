@@ -8,6 +8,7 @@
 namespace toile::pattern::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// A polyline of DXF; bulges follow the points of two numbers.
@@ -34,6 +35,12 @@ std::string file_of(const std::string& piece, const std::string& units = text("U
 }
 
 const std::vector<std::array<double, 3>> quad{{0, 0, 0}, {100, 0, 0}, {100, 50, 0}, {0, 50, 0}};
+
+/// The same of a square, with $INSUNITS; `word`: of the text, empty: without.
+std::string with_variable(const std::string& variable, const std::string& word) {
+  return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + variable + "\n0\nENDSEC\n" +
+         file_of(polyline("1", quad), word.empty() ? "" : text("Units: " + word));
+}
 
 Panel read(const std::string& content) {
   const Scratch file(".dxf", content);
@@ -83,10 +90,19 @@ TEST(Dxf, CornersBulgesUnitsSewLines) {
   EXPECT_NEAR(sewn.outline[0].curve.length(), 80.0, 1e-9);
 }
 
+// The unit is told by the text of the standard, by the variable of others, or by both.
+TEST(Dxf, TextAndVariableTellTheUnit) {
+  for (const auto& [variable, word] : {std::pair("1", "ENGLISH"), std::pair("1", ""), std::pair("0", "ENGLISH")})
+    EXPECT_NEAR(read(with_variable(variable, word)).outline[0].curve.length(), 2540.0, 1e-9) << variable << word;
+}
+
 // What cannot be read is refused with file and piece.
 TEST(Dxf, ErrorsNameTheirPlace) {
   const auto refusal = [](const std::string& content) { return message([&] { read(content); }); };
   EXPECT_THAT(refusal(file_of(polyline("1", quad), "")), HasSubstr(".dxf: the file does not tell its unit"));
+  EXPECT_THAT(refusal(with_variable("1", "METRIC")),
+              AllOf(HasSubstr(".dxf: the file contradicts itself"), HasSubstr("$INSUNITS = 1 says 25.4 mm"),
+                    HasSubstr("\"UNITS: METRIC\" says 1 mm")));
   EXPECT_THAT(refusal(file_of(polyline("9", quad))),
               HasSubstr("piece \"front\": there is no closed polyline on layer 1"));
   EXPECT_THAT(refusal(file_of(polyline("1", quad) + polyline("1", quad))),

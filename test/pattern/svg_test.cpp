@@ -10,6 +10,7 @@
 namespace toile::pattern::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// A drawing of 200 mm by 100 mm with 400 by 200 units.
@@ -125,6 +126,10 @@ TEST(Svg, ErrorsNameTheirPlace) {
   EXPECT_THAT(refusal(drawing("<path id='p' d='M0 0 L 1e9 0 L 0 5 Z'/>")), HasSubstr("too large for a garment"));
   EXPECT_THAT(refusal(drawing("<rect id='r' width='10' height='0'/>")), HasSubstr("height must be given and positive"));
   EXPECT_THAT(refusal(drawing("<g transform='turn(3)'/>")), HasSubstr("\"turn\" with 1 numbers is none of"));
+  for (const std::string css : {"transform:scale(2)", "fill:none; transform : scale(2)", "scale:2"})
+    EXPECT_THAT(refusal(drawing("<rect id='r' width='10' height='10' style='" + css + "'/>")),
+                AllOf(HasSubstr(".svg: <rect> \"r\": its attribute \"style\" has \""),
+                      HasSubstr("write it as the attribute \"transform\"")));
   EXPECT_THAT(refusal(drawing("<use href='#a'/>")), HasSubstr("unlink them first"));
   EXPECT_THAT(refusal(drawing("<path id='open' d='M500 0 h 5'/>")),
               HasSubstr("the open line \"open\" lies on no panel"));

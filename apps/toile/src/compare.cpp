@@ -168,7 +168,8 @@ void add_compare(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("measured", arguments->measured,
                    "CSV file with the columns name, pressure and scatter, each [kPa] or [mmHg]; the names are levels "
-                   "or points of the scene, or there are columns x [mm], y [mm], z [mm] of places on the body")
+                   "or points of the scene. Further columns x [mm], y [mm], z [mm] make each row a place on the body, "
+                   "and its name is then of your choice")
       ->required()
       ->type_name("FILE");
   add_output_option(command, arguments->output, "Folder of table and plot (default: that of the run)");

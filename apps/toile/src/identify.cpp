@@ -204,8 +204,10 @@ int identify(const IdentifyArguments& arguments) {
   const identify::CalibratedRange range = identify::calibrated_range(problem, result.params);
   const std::string report = identify::report_text(problem, result, reports, statistics) + identify::range_text(range);
 
-  write_text(folder + "/material.xml", identify::material_xml(problem, range.params));
-  write_text(folder + "/include.xml", identify::include_xml(problem, range.params, list, folder));
+  const material::FitLimits limits = identify::fit_limits(problem, statistics, range);
+  const std::string material = identify::material_xml(problem, range.params, limits);
+  write_text(folder + "/material.xml", material);
+  write_text(folder + "/include.xml", identify::include_xml(problem, range.params, list, folder, limits));
   write_text(folder + "/report.txt", report);
   result::write_csv(folder + "/curves.csv", curve_table(problem.curves(), reports));
   result::write_csv(folder + "/residuals.csv", residual_table(reports));
@@ -214,7 +216,7 @@ int identify(const IdentifyArguments& arguments) {
   result::write_csv(folder + "/correlation.csv", matrix_table(problem, statistics.correlation));
   const auto warning = result::write_plot(folder, "curves", curve_plot(list.word("title"), problem.curves(), reports));
   if (warning) log.warn(*warning);
-  log.info(report + identify::material_xml(problem, range.params));
+  log.info(report + material);
   if (material::find(problem.law().name) == nullptr)
     log.info("A scene needs the law of this material too: let it include " + folder + "/include.xml, which holds both");
   if (!result.falls.empty())

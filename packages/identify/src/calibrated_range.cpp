@@ -37,6 +37,29 @@ std::vector<double> fitted_states(const FitProblem& problem, const std::vector<d
   return all;
 }
 
+/// Energies [n] of states [3][n].
+std::vector<double> energies(const material::LawV1& law, const std::vector<double>& C,
+                             const std::vector<double>& params) {
+  const std::size_t n = C.size() / 3;
+  std::vector<double> W(n), S(C.size()), thickness(n);
+  std::vector<std::uint8_t> status(n);
+  law.evaluate(law.context, static_cast<int>(n), C.data(), params.data(), 0, W.data(), S.data(), nullptr,
+               thickness.data(), nullptr, status.data());
+  return W;
+}
+
+/// Whether wale and course can be exchanged in all states [3][n].
+bool is_same_along_both(const material::LawV1& law, const std::vector<double>& C, const std::vector<double>& params) {
+  constexpr double same = 1e-9;  // of the energy
+  std::vector<double> exchanged = C;
+  std::swap_ranges(exchanged.begin(), exchanged.begin() + static_cast<long>(C.size() / 3),
+                   exchanged.begin() + static_cast<long>(C.size() / 3));
+  const std::vector<double> one = energies(law, C, params), other = energies(law, exchanged, params);
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (!(std::abs(one[i] - other[i]) <= same * std::abs(one[i]))) return false;
+  return true;
+}
+
 /// Number of states that the law says it is continued at.
 long extrapolated(const material::LawV1& law, const std::vector<double>& C, const std::vector<double>& params) {
   const int n = static_cast<int>(C.size() / 3);
@@ -59,6 +82,7 @@ CalibratedRange calibrated_range(const FitProblem& problem, const std::vector<do
   range.largest_wale = std::sqrt(*std::max_element(C.begin(), C.begin() + static_cast<long>(n)));
   range.largest_course =
       std::sqrt(*std::max_element(C.begin() + static_cast<long>(n), C.begin() + static_cast<long>(2 * n)));
+  range.tests_both = is_same_along_both(problem.law(), C, params);
   const int index = problem.index_of(parameter_name);
   if (index < 0 || problem.prescribes(index)) return range;
   double& end = range.params[static_cast<std::size_t>(index)];
@@ -72,6 +96,18 @@ CalibratedRange calibrated_range(const FitProblem& problem, const std::vector<do
   end = std::min(before, std::max(grain, grain * std::ceil(enough / grain)));
   range.is_set = end < before;
   return range;
+}
+
+material::FitLimits fit_limits(const FitProblem& problem, const ParameterStatistics& statistics,
+                               const CalibratedRange& range) {
+  material::FitLimits limits;
+  limits.undetermined = problem.left_open();
+  for (std::size_t k = 0; k < problem.free().size(); ++k)
+    if (statistics.open[k]) limits.undetermined.emplace_back(problem.law().info[problem.free()[k].index].name);
+  const double larger = std::max(range.largest_wale, range.largest_course);
+  limits.wale = std::max(1.0, range.tests_both ? larger : range.largest_wale);
+  limits.course = std::max(1.0, range.tests_both ? larger : range.largest_course);
+  return limits;
 }
 
 std::string range_text(const CalibratedRange& range) {

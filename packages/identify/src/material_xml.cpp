@@ -60,7 +60,8 @@ std::string plugin_xml(const base::List& plugin, const std::string& folder) {
 
 }  // namespace
 
-std::string material_xml(const FitProblem& problem, const std::vector<double>& params) {
+std::string material_xml(const FitProblem& problem, const std::vector<double>& params,
+                         const material::FitLimits& limits) {
   const material::LawV1& law = problem.law();
   std::string text = line("type", "string", law.name) + line("thickness", "double", number(problem.thickness()));
   for (int i = 0; i < law.n_params; ++i) {
@@ -72,11 +73,16 @@ std::string material_xml(const FitProblem& problem, const std::vector<double>& p
     const bool is_flag = std::string(info.choices) == "false|true";
     text += line(info.name, is_flag ? "bool" : "string", word(info.choices, static_cast<int>(params[i])));
   }
+  std::string open;
+  for (const std::string& name : limits.undetermined) open += (open.empty() ? "" : ", ") + name;
+  if (!open.empty()) text += line("not determined", "Array(string)", "{" + open + "}");
+  if (limits.wale > 0.0) text += line("tested wale stretch", "double", number(limits.wale));
+  if (limits.course > 0.0) text += line("tested course stretch", "double", number(limits.course));
   return list(problem.material_name(), text);
 }
 
 std::string include_xml(const FitProblem& problem, const std::vector<double>& params, const base::List& fit,
-                        const std::string& folder) {
+                        const std::string& folder, const material::FitLimits& limits) {
   std::string text;
   for (const char* name : {"Plug-ins", "Formulas"}) {
     if (!fit.has_list(name)) continue;
@@ -85,7 +91,7 @@ std::string include_xml(const FitProblem& problem, const std::vector<double>& pa
         text += list(name, name == std::string("Formulas") ? formula_xml(entry) : plugin_xml(entry, folder));
   }
   return "<!-- The fitted material and the law that it needs, for a scene's parameter \"include\". -->\n" +
-         list("scene", text + list("Materials", material_xml(problem, params)));
+         list("scene", text + list("Materials", material_xml(problem, params, limits)));
 }
 
 }  // namespace toile::identify

@@ -112,8 +112,11 @@ void FitProblem::read_free(const base::List& free, const base::List& material) {
   }
   for (int i = 0; i < law_->n_params; ++i) {
     const bool is_free = std::any_of(free_.begin(), free_.end(), [&](const auto& p) { return p.index == i; });
-    if (!is_free && std::isnan(given_[i]))
-      material.fail(law_->info[i].name, "must be given, because it is not in \"Free\"");
+    if (is_free) continue;
+    const char* name = law_->info[i].name;
+    if (std::isnan(given_[i])) material.fail(name, "must be given, because it is not in \"Free\"");
+    const base::Texts& open = material.words("not determined");
+    if (std::find(open.begin(), open.end(), name) != open.end()) left_open_.emplace_back(name);
   }
 }
 

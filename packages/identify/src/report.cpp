@@ -79,6 +79,8 @@ void write_parameters(std::ostream& out, const FitProblem& problem, const FitRes
       out << " +- " << statistics.deviation[k];
     else
       out << " +- not determined";
+    if (statistics.open[k] && (statistics.at_bound[k] != 0 || statistics.held[k]))
+      out << ", and not determined by the data";
     out << "\n";
   }
   const bool any_held = std::count(statistics.held.begin(), statistics.held.end(), true) > 0;

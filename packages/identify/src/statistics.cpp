@@ -88,6 +88,14 @@ std::vector<std::string> at_edge(const FitProblem& problem, const std::vector<do
   return names;
 }
 
+/// [n_free]: no curve depends on the parameter. A bound that holds such a one says nothing of it.
+std::vector<bool> without_effect(const Eigen::MatrixXd& J) {
+  const Eigen::VectorXd effect = J.colwise().norm();
+  std::vector<bool> none;
+  for (const double size : effect) none.push_back(size <= unseen * effect.maxCoeff());
+  return none;
+}
+
 /// Of every column of `directions`, the best determined first. `J`: derivatives along these columns.
 std::vector<Combination> combinations(const Eigen::MatrixXd& J, const Eigen::MatrixXd& directions, double noise) {
   std::vector<Combination> all;
@@ -113,14 +121,15 @@ ParameterStatistics parameter_statistics(const FitProblem& problem, const FitRes
   for (const LinearCondition& condition : problem.conditions())
     if (is_active(problem, condition, result.params)) statistics.active_conditions.push_back(condition.name);
   const Eigen::MatrixXd directions = feasible_directions(problem, result.params, statistics);
-  const Eigen::MatrixXd J = scaled_jacobian(problem, result, statistics.scale) * directions;
+  const Eigen::MatrixXd full = scaled_jacobian(problem, result, statistics.scale), J = full * directions;
   statistics.noise =
       std::sqrt(result.chi_squared / static_cast<double>(std::max<Eigen::Index>(1, J.rows() - J.cols())));
   statistics.combinations = combinations(J, directions, statistics.noise);
 
   const Eigen::Index n = directions.rows();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-  std::vector<bool> open(static_cast<std::size_t>(n), false);
+  std::vector<bool>& open = statistics.open;
+  open = without_effect(full);
   for (const Combination& combination : statistics.combinations) {
     const Eigen::Map<const Eigen::VectorXd> v(combination.factors.data(), n);
     if (std::isfinite(combination.deviation))

@@ -117,6 +117,17 @@ std::shared_ptr<const Response> response_of(const LawV1& law, const std::vector<
   return std::make_shared<RelaxedResponse>(law, relaxation, list.real("residual stiffness"));
 }
 
+FitLimits read_fit_limits(const LawV1& law, const base::List& list) {
+  base::Texts valid;
+  for (int i = 0; i < law.n_params; ++i) valid.emplace_back(law.info[i].name);
+  const base::Texts& undetermined = list.words("not determined");
+  for (const std::string& name : undetermined)
+    if (index_of(law, name) < 0)
+      list.fail("not determined", "material \"" + std::string(law.name) + "\" has no parameter \"" + name + "\"" +
+                                      base::hint(name, valid));
+  return {undetermined, list.real("tested wale stretch"), list.real("tested course stretch")};
+}
+
 double interpolate(const std::vector<std::pair<double, double>>& rows, double position) {
   const auto after = std::upper_bound(rows.begin(), rows.end(), position,
                                       [](double value, const auto& row) { return value < row.first; });
@@ -147,6 +158,7 @@ std::vector<double> given_values(const LawV1& law, const base::List& list) {
 Material::Material(const base::List& list, const Laws& laws)
     : law_(laws.find(list.word("type"))), name_(list.name()), thickness_(list.real("thickness")) {
   params_ = given_values(*law_, list);
+  fit_limits_ = read_fit_limits(*law_, list);
   for (int i = 0; i < law_->n_params; ++i) {
     const ParamInfo& info = law_->info[i];
     if (info.choices == nullptr && list.has_table(info.name)) tables_.push_back({i, list.table(info.name)});

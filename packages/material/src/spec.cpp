@@ -68,6 +68,16 @@ base::Spec spec_of(const Laws& laws, bool is_fitted) {
             "stiffness against leaving that place unevenly, as a part of that of the undeformed fabric. Only where "
             "compression is relaxed.",
             1e-4, base::Range{0.0, 0.1, true, false});
+  spec.words("not determined",
+             "Parameters that the data of the fabric's fit leave open, as `toile identify` writes them; a run warns of "
+             "them. Empty the list once another test has given their values.",
+             base::Texts());
+  const char* const tested =
+      " of the tests that the fabric was fitted to; a run warns of stretches beyond. 0: not known.";
+  spec.real("tested wale stretch", "", std::string("Largest stretch along the wale") + tested, 0.0,
+            base::Range::at_least(0));
+  spec.real("tested course stretch", "", std::string("Largest stretch along the course") + tested, 0.0,
+            base::Range::at_least(0));
   spec.variant("type", "Energy of the fabric.", std::move(variants));
   return spec;
 }

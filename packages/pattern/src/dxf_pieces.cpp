@@ -38,10 +38,27 @@ double unit_of(int code) {
   }
 }
 
+/// mm of the standard's word for a unit; 0 if it is none of these.
+double unit_of(const std::string& word) {
+  return word == "METRIC" ? 1.0 : word == "ENGLISH" || word == "IMPERIAL" ? 25.4 : 0.0;
+}
+
 /// Collects what dxflib finds.
 class Collector : public DL_CreationAdapter {
  public:
-  File file;
+  File file;  ///< without its unit
+
+  /// mm of the file's unit; 0 if it does not tell. The text goes before the variable, which must not say otherwise.
+  double unit() const {
+    const double variable = unit_of(variable_), text = unit_of(text_);
+    if (text_.empty()) return variable;
+    if (variable != 0.0 && text != 0.0 && variable != text)
+      throw base::InputError(
+          "the file contradicts itself on its unit: the variable $INSUNITS = " + std::to_string(variable_) + " says " +
+          number_text(variable) + " mm, the text \"UNITS: " + text_ + "\" says " + number_text(text) +
+          " mm. Measure a piece, and take the wrong one of the two out of the file");
+    return text;
+  }
 
   void addBlock(const DL_BlockData& block) override {
     file.blocks.push_back({block.name, {}, {}, {}});
@@ -60,8 +77,7 @@ class Collector : public DL_CreationAdapter {
   void addText(const DL_TextData& t) override {
     const Vec2 place = at(t.ipx, t.ipy);
     piece().texts.push_back({t.text, place});
-    if (const std::string unit = upper(after(t.text, dxf_text::units)); !unit.empty())
-      file.mm = unit == "METRIC" ? 1.0 : unit == "ENGLISH" || unit == "IMPERIAL" ? 25.4 : 0.0;
+    if (const std::string unit = upper(after(t.text, dxf_text::units)); !unit.empty()) text_ = unit;
   }
   void addInsert(const DL_InsertData& insert) override {
     if (std::abs(insert.sx - 1.0) > 1e-9 || std::abs(insert.sy - 1.0) > 1e-9)
@@ -69,7 +85,7 @@ class Collector : public DL_CreationAdapter {
                              "\" is inserted at another size; pieces are read at size 1 only");
   }
   void setVariableInt(const std::string& name, int value, int) override {
-    if (name == "$INSUNITS" && file.mm == 0.0) file.mm = unit_of(value);
+    if (name == "$INSUNITS") variable_ = value;
   }
   void addSpline(const DL_SplineData&) override { refuse("SPLINE"); }
   void addArc(const DL_ArcData&) override { refuse("ARC"); }
@@ -95,7 +111,15 @@ class Collector : public DL_CreationAdapter {
                                "; ASTM D6673 has polylines there; export it as such");
   }
 
+  static std::string number_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+  }
+
   bool in_block_ = false;
+  int variable_ = 0;  ///< $INSUNITS
+  std::string text_;  ///< word of the text
 };
 
 /// The library reads the rest of a damaged file as it can; that the file is one of groups is checked before.
@@ -136,6 +160,7 @@ File read_pieces(const std::string& path) {
     Collector collector;
     DL_Dxf dxf;
     if (!dxf.in(in, &collector)) throw base::InputError("this is no DXF file");
+    collector.file.mm = collector.unit();
     return std::move(collector.file);
   } catch (const base::InputError& error) {
     throw base::InputError(path + ": " + error.what());

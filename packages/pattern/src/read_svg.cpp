@@ -2,6 +2,8 @@
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
+#include <set>
+#include <sstream>
 
 #include "format.hpp"
 #include "geometry.hpp"
@@ -62,6 +64,7 @@ Affine scale_of(const pugi::xml_node& root) {
 class Reader {
  public:
   Pattern run(const pugi::xml_node& root) {
+    refuse_css_map(root);
     walk(root, scale_of(root), 0);
     for (const auto& [name, curve] : open_) add_line(name, curve);
     return std::move(pattern_);
@@ -93,6 +96,23 @@ class Reader {
     return name.compare(0, 4, "svg:") == 0 ? name.substr(4) : name;
   }
 
+  /// CSS can move and scale what is drawn too. It is not read, and without it the size would be wrong.
+  static void refuse_css_map(const pugi::xml_node& node) {
+    static const std::set<std::string> maps = {"transform", "-webkit-transform", "translate", "rotate", "scale",
+                                               "zoom"};
+    std::istringstream style(node.attribute("style").value());
+    for (std::string property; std::getline(style, property, ';');) {
+      const std::size_t colon = property.find(':');
+      if (colon == std::string::npos) continue;
+      property.erase(std::remove_if(property.begin(), property.end(), [](unsigned char c) { return std::isspace(c); }),
+                     property.end());
+      if (maps.count(property.substr(0, property.find(':'))) == 0) continue;
+      throw base::InputError(place_of(node) + "its attribute \"style\" has \"" + property +
+                             "\", which is not read; write it as the attribute \"transform\", e.g. "
+                             "transform=\"scale(2)\"");
+    }
+  }
+
   /// Map of the children of an element or of its own points.
   static Affine map_of(const pugi::xml_node& node, const Affine& map) {
     const pugi::xml_attribute transform = node.attribute("transform");
@@ -109,6 +129,7 @@ class Reader {
         throw base::InputError(place_of(child) + (kind == "use" ? "copies (\"use\") are not read; unlink them first"
                                                                 : "a drawing in a drawing is not read"));
       if (child.type() != pugi::node_element || !is_shown(child)) continue;
+      refuse_css_map(child);
       try {
         work(child, kind, map_of(child, map), depth + 1);
       } catch (const base::InputError& error) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "output.hpp"
+#include "toile/solve/output_fields.hpp"
 
 namespace toile::run {
 
@@ -122,6 +123,33 @@ std::string pierced_elements(const scene::Scene& scene, const solve::Fields& fie
   return text.str();
 }
 
+/// Fabrics that are stretched along a yarn beyond the tests that they were fitted to.
+std::vector<std::string> beyond_tests(const scene::Scene& scene, const solve::Fields& fields) {
+  constexpr double counts = 0.01;  // of stretch
+  struct Direction {
+    const char* name;
+    double material::FitLimits::*tested;
+  };
+  std::vector<std::string> warnings;
+  for (const Direction& direction :
+       {Direction{"wale", &material::FitLimits::wale}, Direction{"course", &material::FitLimits::course}})
+    for (size_t b = 0; b < fields.element.size(); ++b) {
+      const material::Material& fabric = *scene.problem().models[b].material;
+      const double tested = fabric.fit_limits().*direction.tested;
+      const std::vector<double>& stretch =
+          solve::named(fields.element[b], std::string("stretch_") + direction.name).values;
+      const double largest = stretch.empty() ? 0.0 : *std::max_element(stretch.begin(), stretch.end());
+      if (tested == 0.0 || largest <= tested + counts) continue;
+      std::ostringstream text;
+      text.precision(3);
+      text << "panel \"" << scene.problem().mesh->blocks[b].name << "\" is stretched along the " << direction.name
+           << " to " << largest << ", and the tests that its fabric \"" << fabric.name() << "\" was fitted to reach "
+           << tested << " there: its pressures are extrapolated";
+      warnings.push_back(text.str());
+    }
+  return warnings;
+}
+
 /// A garment that does not press may be right, but nobody runs a scene for it.
 bool is_idle(const scene::Scene& scene, const solve::Fields& fields) {
   constexpr double nothing = 1e-7;  // MPa
@@ -141,6 +169,7 @@ std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::
          << fields.largest_extrapolation << " in " << fields.extrapolated_where;
     warnings.push_back(text.str());
   }
+  for (const std::string& beyond : beyond_tests(scene, fields)) warnings.push_back(beyond);
   if (fields.isolated_contacts > 0)
     warnings.push_back(std::to_string(fields.isolated_contacts) +
                        " nodes touch the body while all their neighbours are free: the mesh is too coarse there, and "

@@ -116,6 +116,7 @@ StartReport look_at_start(const Scene& scene, const base::List& list, const solv
   append(report.warnings, size_warnings(list, panels));
   append(report.warnings, level_warnings(scene));
   append(report.warnings, place_warnings(list, scene.garment().mesh));
+  append(report.warnings, fit_warnings(scene));
   append(report.warnings, weight_warnings(list));
   append(report.warnings, beyond_warnings(scene));
   append(report.warnings, girth_warnings(panels));

@@ -214,6 +214,20 @@ Texts place_warnings(const base::List& list, const mesh::Mesh& mesh) {
   return texts;
 }
 
+Texts fit_warnings(const Scene& scene) {
+  Texts texts;
+  for (const solve::BlockModel& model : scene.problem().models) {
+    std::string names;
+    for (const std::string& name : model.material->fit_limits().undetermined)
+      names += (names.empty() ? "" : ", ") + name;
+    const std::string text = "fabric " + quoted(model.material->name()) + ": the data of its fit did not determine " +
+                             names + ": pressures that depend on " + (names.find(',') < names.size() ? "them" : "it") +
+                             " are not to be trusted";
+    if (!names.empty() && std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
+  }
+  return texts;
+}
+
 Texts weight_warnings(const base::List& list) {
   constexpr double least = 5.0, most = 2000.0;  // g/m^2: a stocking of 8 den has 10, a winter coat 800
   Texts texts;

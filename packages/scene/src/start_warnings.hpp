@@ -27,6 +27,8 @@ std::vector<std::string> size_warnings(const base::List& list, const std::vector
 std::vector<std::string> level_warnings(const Scene& scene);
 /// Supports, forces and seams at places between nodes; `list`: of the scene.
 std::vector<std::string> place_warnings(const base::List& list, const mesh::Mesh& mesh);
+/// Fabrics with parameters that the data of their fit left open.
+std::vector<std::string> fit_warnings(const Scene& scene);
 /// A weight that no fabric has; `list`: of the scene.
 std::vector<std::string> weight_warnings(const base::List& list);
 /// `sewn`: the seams are closed at the start already, so that nothing will draw the part onto the body.

@@ -38,6 +38,8 @@ class FitProblem {
   const std::vector<FreeParameter>& free() const { return free_; }
   const std::vector<LinearCondition>& conditions() const { return conditions_; }
   const std::vector<Curve>& curves() const { return curves_; }
+  /// Parameters that are not free and that the file calls "not determined".
+  const base::Texts& left_open() const { return left_open_; }
   bool keeps_rising() const { return keeps_rising_; }
   /// Index of a parameter of the law; negative: it has none of this name.
   int index_of(const std::string& name) const;
@@ -74,6 +76,7 @@ class FitProblem {
   std::vector<FreeParameter> free_;
   std::vector<LinearCondition> conditions_;
   std::vector<Curve> curves_;
+  base::Texts left_open_;
   bool keeps_rising_ = false;
   std::vector<double> anchor_;
 };

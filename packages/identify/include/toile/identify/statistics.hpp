@@ -49,11 +49,13 @@ struct ParameterStatistics {
   std::vector<double> scale;  ///< [n_free]: |p|, but at least 1e-3 of the interval
   /// [n_free], in the parameter's unit; infinite: not determined at all; NaN: held.
   std::vector<double> deviation;
-  std::vector<double> covariance;              ///< [n_free][n_free] in the parameters' units; NaN: held or undetermined
-  std::vector<double> correlation;             ///< [n_free][n_free]; NaN: held or undetermined
-  std::vector<Combination> combinations;       ///< one for each column of Z, the best determined first
-  std::vector<int> at_bound;                   ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
-  std::vector<bool> held;                      ///< [n_free]: active bounds and conditions leave it no change
+  std::vector<double> covariance;         ///< [n_free][n_free] in the parameters' units; NaN: held or undetermined
+  std::vector<double> correlation;        ///< [n_free][n_free]; NaN: held or undetermined
+  std::vector<Combination> combinations;  ///< one for each column of Z, the best determined first
+  std::vector<int> at_bound;              ///< [n_free]: -1 at its lower bound, 1 at its upper, 0 inside
+  std::vector<bool> held;                 ///< [n_free]: active bounds and conditions leave it no change
+  /// [n_free]: changes of it, alone or with others, are seen by no curve, on a bound as well as inside.
+  std::vector<bool> open;
   std::vector<std::string> active_conditions;  ///< names
   /// Parameters of which a small change leaves some fitted point without a state: the result lies on that edge.
   std::vector<std::string> at_edge;

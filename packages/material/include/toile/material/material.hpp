@@ -93,10 +93,16 @@ class Laws {
 
 /// Description of a "Material" list: selector "type" with one variant each of `laws`; every parameter of every
 /// material that is a number may be a table along the panel. "set" fills the parameters from a published set. Also
-/// holds "thickness" (mm, default 1), "compression" and "residual stiffness" (see RelaxedResponse).
+/// holds "thickness" (mm, default 1), "compression" and "residual stiffness" (see RelaxedResponse), and FitLimits.
 base::Spec material_spec(const Laws& laws = Laws());
 
 class Response;
+
+/// What the fit of a fabric says of its own limits.
+struct FitLimits {
+  std::vector<std::string> undetermined;  ///< parameters that the data leave open
+  double wale = 0.0, course = 0.0;        ///< largest fibre stretch of the tests; 0: not known
+};
 
 /// A material with the parameters of one scene: uniform, or varying along the panel's coordinate.
 class Material {
@@ -115,6 +121,7 @@ class Material {
   const Response& response() const { return *response_; }
   const std::string& name() const { return name_; }
   double thickness() const { return thickness_; }  ///< h0, mm
+  const FitLimits& fit_limits() const { return fit_limits_; }
   bool graduated() const { return !tables_.empty(); }
   /// Parameter values at the relative position 0..1 along the panel (0 at its lower edge): n_params values. Tables are
   /// interpolated linearly and constant beyond their ends.
@@ -131,6 +138,7 @@ class Material {
   std::string name_;
   double thickness_;
   std::vector<double> params_;
+  FitLimits fit_limits_;
   std::vector<Table> tables_;
   std::shared_ptr<const Response> response_;
 };
