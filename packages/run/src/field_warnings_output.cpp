@@ -70,7 +70,7 @@ std::string too_large_elements(const scene::Scene& scene, const solve::Fields& f
   text << "the elements are too large for the body: within " << large << " of " << touching
        << " in contact it turns by more than 40 degrees, up to " << most * 180.0 / M_PI << " at (" << where.x() << ", "
        << where.y() << ", " << where.z()
-       << ") mm. Their pressures are too low, and the told errors too small; \"finer\" = "
+       << ") mm. Their pressures are too low, and the told errors may be too small; \"finer\" = "
        << std::ceil(2.0 * most / too_much) / 2.0 << " would do";
   return text.str();
 }

@@ -1,6 +1,7 @@
 #include "start_warnings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "read_output.hpp"
@@ -64,6 +65,16 @@ std::string against_text(const garment::Seam& seam, const SeamStart& start, bool
          (reversed ? "Leave \"reversed\" out" : "Give the seam \"reversed\" = true");
 }
 
+/// Between which heights along a unit direction from a point the garment starts, mm.
+std::array<double, 2> start_heights(const Scene& scene, const solve::Vec3& point, const solve::Vec3& direction) {
+  std::array<double, 2> heights = {HUGE_VAL, -HUGE_VAL};
+  for (const solve::Vec3& at : scene.start().position) {
+    const double height = (at - point).dot(direction);
+    heights = {std::min(heights[0], height), std::max(heights[1], height)};
+  }
+  return heights;
+}
+
 }  // namespace
 
 Texts stretch_warnings(const PanelStart& panel) {
@@ -105,11 +116,7 @@ Texts beyond_warnings(const Scene& scene) {
   constexpr double little = 1.0;  // mm
   const auto& known = scene.body().known_heights;
   if (!known) return {};
-  double lower = HUGE_VAL, upper = -HUGE_VAL;
-  for (const solve::Vec3& at : scene.start().position) {
-    lower = std::min(lower, at.z());
-    upper = std::max(upper, at.z());
-  }
+  const auto [lower, upper] = start_heights(scene, solve::Vec3::Zero(), solve::Vec3::UnitZ());
   if (lower >= (*known)[0] - little && upper <= (*known)[1] + little) return {};
   return {"the body is given from z = " + short_number((*known)[0]) + " to " + short_number((*known)[1]) +
           " mm, and the garment starts between " + short_number(lower) + " and " + short_number(upper) +
@@ -176,12 +183,7 @@ Texts level_warnings(const Scene& scene) {
   constexpr double around = 0.25;  // of the garment's height, by which it may move
   const Output& output = scene.output();
   if (output.bent_axis) return {};
-  double lower = HUGE_VAL, upper = -HUGE_VAL;
-  for (const solve::Vec3& at : scene.start().position) {
-    const double height = (at - output.axis_point).dot(output.axis_direction.normalized());
-    lower = std::min(lower, height);
-    upper = std::max(upper, height);
-  }
+  const auto [lower, upper] = start_heights(scene, output.axis_point, output.axis_direction.normalized());
   const double margin = around * (upper - lower);
   Texts texts;
   for (const Level& level : output.levels)
