@@ -16,8 +16,8 @@ import study_tables as tables
 HEAD = """# Stability matrix
 
 Made by `doc/stability.py` from `input/stability.xml`; see [study](study.md) for the verdicts. A cell is right if its error is at
-most its own error bar and 2 % together; one that only ran has no reference, and the reason is what it warns of. Of a pressure
-the bar is the one that the run tells; a force has none.
+most its own error bar and 2 % together; one that only ran has no reference, and the reason is what it warns of. The bar
+is the one that the run tells; the force of a support has none.
 The condition number is that of the last tangent in its unknowns (mm, radians), on the surface in contact.
 
 """

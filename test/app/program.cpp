@@ -74,4 +74,14 @@ std::string summary_line(const std::string& out, const std::string& label) {
   return out.substr(begin, out.find('\n', begin) - begin);
 }
 
+std::vector<std::string> last_row(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line, last;
+  while (std::getline(lines, line)) last = line;
+  std::vector<std::string> cells;
+  std::istringstream stream(last);
+  while (std::getline(stream, line, ',')) cells.push_back(line);
+  return cells;
+}
+
 }  // namespace toile::test

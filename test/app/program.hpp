@@ -38,4 +38,7 @@ class ProgramTest : public ::testing::Test {
 /// The rest of the line after `label` in a summary.
 std::string summary_line(const std::string& out, const std::string& label);
 
+/// Cells of the last row of a table.
+std::vector<std::string> last_row(const std::string& csv);
+
 }  // namespace toile::test

@@ -22,17 +22,6 @@ std::string pulled_along(const std::string& direction, int by) {
          std::to_string(by) + "\"/>";
 }
 
-/// Cells of the last row of a table.
-std::vector<std::string> last_row(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, last;
-  while (std::getline(lines, line)) last = line;
-  std::vector<std::string> cells;
-  std::istringstream stream(last);
-  while (std::getline(stream, line, ',')) cells.push_back(line);
-  return cells;
-}
-
 // The levels in mmHg with their error, in kPa and relative to the first; the stretch of each panel; the largest
 // pressure with its place; the files. The sleeve's equilibrium is uniform, and a stress of -2e-11 kPa is no
 // compression.

@@ -75,54 +75,6 @@ std::string too_large_elements(const scene::Scene& scene, const solve::Fields& f
   return text.str();
 }
 
-/// Contact is that of nodes: a tip or an edge between them goes through an element. A circle that turns by 60 degrees
-/// within an element reaches into it by an eighth of its side. Empty: nothing does by a fifth.
-std::string pierced_elements(const scene::Scene& scene, const solve::Fields& fields) {
-  constexpr double too_deep = 0.2, inside = -0.01;  // of the side; mm
-  const body::Surface* surface = scene.surface();
-  if (surface == nullptr) return "";
-  int pierced = 0;
-  double deepest = 0.0;
-  solve::Vec3 where = solve::Vec3::Zero();
-  for (const mesh::Block& block : scene.problem().mesh->blocks) {
-    const auto nodes = static_cast<size_t>(block.nodes_per_element);
-    for (size_t first = 0; first < block.connectivity.size(); first += nodes) {
-      const int* node = &block.connectivity[first];
-      double side = 0.0, nearest = HUGE_VAL;
-      solve::Vec3 centre = solve::Vec3::Zero();
-      for (size_t i = 0; i < nodes; ++i) {
-        const solve::Vec3& x = fields.position[node[i]];
-        side = std::max(side, (fields.position[node[(i + 1) % nodes]] - x).norm());
-        nearest = std::min(nearest, fields.gap[node[i]]);
-        centre += x / static_cast<double>(nodes);
-      }
-      if (nearest < inside || nearest > side) continue;
-      double depth = -surface->closest(centre).gap;
-      solve::Vec3 at = centre;
-      for (size_t i = 0; i < nodes; ++i) {
-        const solve::Vec3 middle = 0.5 * (fields.position[node[i]] + fields.position[node[(i + 1) % nodes]]);
-        const double here = -surface->closest(middle).gap;
-        if (here <= depth) continue;
-        depth = here;
-        at = middle;
-      }
-      if (depth <= too_deep * side) continue;
-      ++pierced;
-      if (depth <= deepest) continue;
-      deepest = depth;
-      where = at;
-    }
-  }
-  if (pierced == 0) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "the body goes through " << pierced << " elements between their nodes, up to " << deepest << " mm at ("
-       << where.x() << ", " << where.y() << ", " << where.z()
-       << ") mm: they are too large for its tip or edge there, on which the fabric presses as if there were none. "
-          "Pressures near it are wrong, whatever their told error";
-  return text.str();
-}
-
 /// Fabrics that are stretched along a yarn beyond the tests that they were fitted to.
 std::vector<std::string> beyond_tests(const scene::Scene& scene, const solve::Fields& fields) {
   constexpr double counts = 0.01;  // of stretch
@@ -150,6 +102,18 @@ std::vector<std::string> beyond_tests(const scene::Scene& scene, const solve::Fi
   return warnings;
 }
 
+std::string pierced_text(const Pierced& pierced) {
+  std::ostringstream text;
+  text.precision(3);
+  text << "the body goes through " << pierced.elements << " elements between their nodes and sticks out of them by "
+       << (pierced.share < 1.0 ? "up to " : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
+       << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << pierced.share
+       << " of their longest side: they are too large for its tip or edge there, on which the fabric presses as if "
+          "there "
+          "were none. Pressures near it are wrong, whatever their told error";
+  return text.str();
+}
+
 /// A garment that does not press may be right, but nobody runs a scene for it.
 bool is_idle(const scene::Scene& scene, const solve::Fields& fields) {
   constexpr double nothing = 1e-7;  // MPa
@@ -162,7 +126,6 @@ std::vector<std::string> field_warnings(const scene::Scene& scene, const solve::
   std::vector<std::string> warnings;
   if (const std::string inside = held_inside(scene, fields); !inside.empty()) warnings.push_back(inside);
   if (const std::string large = too_large_elements(scene, fields); !large.empty()) warnings.push_back(large);
-  if (const std::string pierced = pierced_elements(scene, fields); !pierced.empty()) warnings.push_back(pierced);
   if (report.extrapolated > 0) {
     std::ostringstream text;
     text << "outside the calibrated range of the fabric: " << report.extrapolated << " elements, largest fibre stretch "
@@ -190,6 +153,7 @@ class FieldWarnings : public Observer {
     if (is_idle(record.scene(), fields))
       log_.warn("the garment presses on the body nowhere: it is wider than the body, or beside it");
     for (const std::string& warning : field_warnings(record.scene(), fields, record.last())) log_.warn(warning);
+    if (record.pierced().elements > 0) log_.warn(pierced_text(record.pierced()));
   }
 
  private:

@@ -17,6 +17,7 @@ namespace toile::run {
   OUTPUT(restart)             \
   OUTPUT(older_files)         \
   OUTPUT(reactions)           \
+  OUTPUT(body_force)          \
   OUTPUT(points)              \
   OUTPUT(point_pressures)     \
   OUTPUT(distances)           \

@@ -57,6 +57,14 @@ const PressureReport& Record::pressure() const {
   return *pressure_;
 }
 
+const Pierced& Record::pierced() const {
+  if (!pierced_) {
+    const auto phase = timer_.phase("pierced elements");
+    pierced_ = pierced_elements(scene_.problem(), fields());
+  }
+  return *pierced_;
+}
+
 const solve::Checkpoint& Record::checkpoint() const {
   if (!checkpoint_) last();  // throws
   return *checkpoint_;
@@ -68,6 +76,7 @@ void Record::resume(solve::Checkpoint checkpoint, std::vector<std::vector<solve:
   state_ = checkpoint.state;
   fields_.reset();
   pressure_.reset();
+  pierced_.reset();
   points_ = std::move(points);
   distances_ = std::move(distances);
   checkpoint_ = std::move(checkpoint);
@@ -79,6 +88,7 @@ void Record::add(const solve::StepReport& report, const solve::State& state, sol
   checkpoint_ = std::move(checkpoint);
   fields_.reset();
   pressure_.reset();
+  pierced_.reset();
   if (points_.empty() && distances_.empty()) return;
   const std::vector<solve::Vec3> position = solve::node_positions(scene_.problem(), state);
   for (size_t i = 0; i < points_.size(); ++i) {

@@ -37,6 +37,7 @@ Place place_of(const Quantity& q) {
   if (q.type == "displacement") return {"points.csv", "", q.of + ": displacement " + q.component, "mm", ""};
   if (q.type == "distance") return {"distances.csv", "", q.of, "mm", ""};
   if (q.type == "reaction") return {"reactions.csv", "", "support " + q.of + ": " + q.component, "N", ""};
+  if (q.type == "body force") return {"body-force.csv", q.component, "force", "N", "its error"};
   if (q.type == "torque") return {"torques.csv", "", q.of + ": torque", "N mm", ""};
   return {"figures.csv", q.of, "value", "", ""};
 }

@@ -63,8 +63,9 @@ std::vector<Quantity> read_quantities(const List& list, const fs::path& folder, 
     Quantity q;
     q.name = entry.name();
     q.type = entry.word("type");
-    q.of = entry.word("of");
-    if (q.type == "displacement" || q.type == "reaction") q.component = entry.word("component");
+    if (q.type != "body force") q.of = entry.word("of");
+    if (q.type == "displacement" || q.type == "reaction" || q.type == "body force")
+      q.component = entry.word("component");
     q.reference = entry.reals("reference");
     if (q.reference.size() > 1 && q.reference.size() != problems)
       entry.fail("reference", "must hold one value, or " + std::to_string(problems) +

@@ -47,6 +47,7 @@ Spec quantities_spec() {
            Spec("reaction", "Force of a support on the garment at the end, N.")
                .word("of", "Name of the support.")
                .choice("component", "", components),
+           Spec("body force", "Force of the body on the garment at the end, N.").choice("component", "", components),
            Spec("torque", "Torque of a support that turns, at the end, N mm.").word("of", "Name of the support."),
            Spec("figure", "A row of figures.csv, which every run writes.").word("of", "Its name: largest pressure.")})
       .reals("reference", "",

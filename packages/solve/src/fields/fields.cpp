@@ -97,6 +97,13 @@ Vec3 contact_resultant(const Fields& fields) {
   return sum;
 }
 
+Vec3 contact_resultant_error(const Fields& fields) {
+  Vec3 sum = Vec3::Zero();
+  for (size_t n = 0; n < fields.pressure_error.size(); ++n)
+    sum += fields.pressure_error[n] * fields.area[n] * fields.normal[n].cwiseAbs();
+  return sum;
+}
+
 Vec3 pressure_resultant(const Fields& fields) {
   Vec3 sum = Vec3::Zero();
   for (size_t n = 0; n < fields.pressure.size(); ++n) sum += fields.pressure[n] * fields.area[n] * fields.normal[n];

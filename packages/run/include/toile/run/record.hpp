@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "toile/base/timer.hpp"
+#include "toile/run/pierced.hpp"
 #include "toile/run/pressure_report.hpp"
 #include "toile/scene/fingerprint.hpp"
 #include "toile/scene/scene.hpp"
@@ -38,6 +39,8 @@ class Record {
   std::shared_ptr<const solve::Fields> shared_fields() const;
   /// Pressure at the levels and along the axis, likewise. Throws Error (internal) before the first step.
   const PressureReport& pressure() const;
+  /// Elements that the body goes through, likewise.
+  const Pierced& pierced() const;
 
   /// From which the run goes on after the last accepted step. Throws Error (internal) before the first step.
   const solve::Checkpoint& checkpoint() const;
@@ -80,6 +83,7 @@ class Record {
   std::optional<solve::Checkpoint> checkpoint_;
   mutable std::shared_ptr<const solve::Fields> fields_;  ///< null: not asked for in this state
   mutable std::unique_ptr<PressureReport> pressure_;     ///< likewise
+  mutable std::optional<Pierced> pierced_;               ///< likewise
 };
 
 }  // namespace toile::run

@@ -59,6 +59,10 @@ Fields compute_fields(const Problem& problem, const State& state, const Accuracy
 /// Sum over the garment of the nodal contact forces: what the garment feels of the body (N).
 Vec3 contact_resultant(const Fields& fields);
 
+/// [x, y, z] error of it (N) by that of the pressures, if all of them err alike: the integral of pressure_error |n_d|
+/// over the garment.
+Vec3 contact_resultant_error(const Fields& fields);
+
 /// Sum over the garment of pressure times area times normal of the written fields (N). It differs from the sum of the
 /// forces by the error of the pressure, and by what supports take of the fabric's pull on the body.
 Vec3 pressure_resultant(const Fields& fields);
