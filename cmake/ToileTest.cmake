@@ -1,7 +1,8 @@
-# toile_test(<name> SOURCES <files...> USES <packages...> [RANKS 1 3] [LABELS ...] [TIMEOUT s])
+# toile_test(<name> SOURCES <files...> USES <packages...> [RANKS 1 3] [ON_SEVERAL <cases>] [LABELS ...] [TIMEOUT s])
 #
 # One GoogleTest executable. Without RANKS it runs as it is; with RANKS it is registered once per number of ranks
-# under mpirun, and its main initialises MPI. Target tests_<label> builds what has a label; "sanitized" marks what the
+# under mpirun, and its main initialises MPI. ON_SEVERAL: the cases, as gtest's filter, that run on more than one rank too,
+# where all would only repeat what these show. Target tests_<label> builds what has a label; "sanitized" marks what the
 # sanitizer build runs: every package that handles data is in it, mathematics alone is not.
 # Tests run side by side: ranks must not be bound to the same cores, nor spin while they wait.
 set(TOILE_MPIRUN ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
@@ -23,7 +24,7 @@ function(toile_test_support name)
 endfunction()
 
 function(toile_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;USES;RANKS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "" "TIMEOUT;ON_SEVERAL" "SOURCES;USES;RANKS;LABELS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
@@ -55,9 +56,14 @@ function(toile_test name)
   endif()
   target_link_libraries(${name} PRIVATE toile_mpi_main)
   foreach(ranks IN LISTS arg_RANKS)
+    set(cases "*")
+    if(ranks GREATER 1 AND arg_ON_SEVERAL)
+      set(cases "${arg_ON_SEVERAL}")
+    endif()
     add_test(NAME ${name}_np${ranks}
-      COMMAND ${TOILE_MPIRUN} -n ${ranks} $<TARGET_FILE:${name}>)
+      COMMAND ${TOILE_MPIRUN} -n ${ranks} $<TARGET_FILE:${name}> --gtest_filter=${cases})
     set_tests_properties(${name}_np${ranks} PROPERTIES TIMEOUT ${arg_TIMEOUT} PROCESSORS ${ranks} LABELS "${arg_LABELS}"
+      FAIL_REGULAR_EXPRESSION "Running 0 tests"
       # MPI does not give back all of its memory.
       ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;ASAN_OPTIONS=detect_leaks=0")
   endforeach()

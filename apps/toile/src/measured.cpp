@@ -330,10 +330,9 @@ Pressures by_position(const MeasuredPlaces& measured, const std::string& folder)
   const result::BodyMap map(garment, skin.points, skin.normals);
   const std::vector<double>& pressure = nodal_field(results, "pressure", path);
   Pressures computed{measured.pressures.names, map.on(pressure), map.on(nodal_field(results, "pressure_error", path))};
-  const std::vector<double> of_all = map.over(pressure);
-  for (std::size_t i = 0; i < of_all.size(); ++i) {
-    // Whether fabric beside a shoulder lies on it or hangs over it.
-    computed.errors[i] = std::hypot(computed.errors[i], of_all[i] - computed.values[i]);
+  const std::vector<double> beside = map.beside(pressure);
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    computed.errors[i] = std::hypot(computed.errors[i], beside[i]);
     if (map.layers()[i] == 0) computed.notes.push_back(no_fabric(computed.names[i]));
   }
   return computed;

@@ -205,4 +205,11 @@ std::vector<double> BodyMap::over(const std::vector<double>& nodal) const {
   return result;
 }
 
+std::vector<double> BodyMap::beside(const std::vector<double>& nodal) const {
+  std::vector<double> result = over(nodal);
+  const std::vector<double> lies_on = on(nodal);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= lies_on[i];
+  return result;
+}
+
 }  // namespace toile::result

@@ -194,13 +194,13 @@ std::vector<PointPressure> body_pressures(const scene::Scene& scene, const std::
   }
   if (places.empty()) return {};
   const result::BodyMap map(on_body(scene.problem(), fields, report.seam), places, normals);
-  const std::vector<double> pressure = map.on(fields.pressure), of_all = map.over(fields.pressure),
+  const std::vector<double> pressure = map.on(fields.pressure), beside = map.beside(fields.pressure),
                             gap = map.over(fields.gap);
   std::vector<std::vector<double>> parts;
   for (const std::vector<double>& part : parts_of_points(scene, fields)) parts.push_back(map.on(part));
   std::vector<PointPressure> all;
   for (size_t p = 0; p < places.size(); ++p) {
-    parts[mesh_part()][p] += of_all[p] - pressure[p];  // whether fabric beside a shoulder lies on it or hangs over it
+    parts[mesh_part()][p] = std::hypot(parts[mesh_part()][p], beside[p]);
     all.push_back(with_parts({pressure[p], 0.0, {}, std::nullopt}, parts, p));
     if (map.layers()[p] > 0) all.back().gap = (gap[p] + map.excess()[p]) / map.layers()[p];
   }

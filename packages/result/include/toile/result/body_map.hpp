@@ -42,6 +42,9 @@ class BodyMap {
   std::vector<double> on(const std::vector<double>& nodal) const;
   /// Of the fabric that lies over the body, on it or not. `nodal`: [node]. Returns [body vertex], unit of `nodal`.
   std::vector<double> over(const std::vector<double>& nodal) const;
+  /// Of the fabric that lies over the body and not on it: of a pressure, by how much that at the vertex is not known,
+  /// since beside a shoulder fabric may lie on the body or hang over it.
+  std::vector<double> beside(const std::vector<double>& nodal) const;
   /// [body vertex] how many layers lie over it.
   const std::vector<int>& layers() const { return layers_; }
   /// [body vertex] mm, of fabric that lies over it, but not on it: what to add to the nodal distance for that of the
