@@ -108,7 +108,7 @@ std::string pierced_text(const Pierced& pierced) {
   text << "the body goes through " << pierced.elements << " elements between their nodes and sticks out of them by "
        << (pierced.share < 1.0 ? "up to " : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
        << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << pierced.share
-       << " of their longest side: they are too large for its tip or edge there, on which the fabric presses as if "
+       << " of their side: they are too large for its tip or edge there, on which the fabric presses as if "
           "there "
           "were none. Pressures near it are wrong, whatever their told error";
   return text.str();
@@ -150,7 +150,7 @@ class FieldWarnings : public Observer {
   void end(const Record& record) override {
     const solve::Fields& fields = record.fields();
     for (const std::string& warning : record.pressure().warnings) log_.warn(warning);
-    if (is_idle(record.scene(), fields))
+    if (is_idle(record.scene(), fields) && record.pierced().passed == 0)
       log_.warn("the garment presses on the body nowhere: it is wider than the body, or beside it");
     for (const std::string& warning : field_warnings(record.scene(), fields, record.last())) log_.warn(warning);
     if (record.pierced().elements > 0) log_.warn(pierced_text(record.pierced()));

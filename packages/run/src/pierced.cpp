@@ -5,11 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "toile/body/triangle_tree.hpp"
+
 namespace toile::run {
 
 namespace {
 
 using solve::Vec3;
+
+constexpr double counts = 0.2;  // of the side
 
 /// The point of the triangle a, b, c that is closest to p. Of a triangle without area: that of its sides.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -35,18 +39,21 @@ class Element {
   Element(const body::Surface& surface, std::vector<Vec3> corners) : surface_(surface), corners_(std::move(corners)) {
     const size_t n = corners_.size();
     for (size_t i = 0; i < n; ++i) {
-      side_ = std::max(side_, (corners_[(i + 1) % n] - corners_[i]).norm());
+      longest_ = std::max(longest_, (corners_[(i + 1) % n] - corners_[i]).norm());
       centre_ += corners_[i] / static_cast<double>(n);
     }
     for (size_t i = 0; i < n; ++i) normal_ += (corners_[i] - centre_).cross(corners_[(i + 1) % n] - centre_);
+    // Twice the area; that of a triangle is half of its square's.
+    side_ = std::sqrt(normal_.norm() * (n == 3 ? 1.0 : 0.5));
     normal_.stableNormalize();
   }
 
-  double side() const { return side_; }
+  double side() const { return side_; }        ///< mean: of a square of its area, mm
+  double longest() const { return longest_; }  ///< side, mm
 
-  /// How far the body sticks out of it, mm, at most its longest side; and where.
-  double height(Vec3* where) const {
-    std::vector<Vec3> places = {centre_};
+  /// How far the body sticks out of it, mm, at most its side; and where. `places`: of it, inside the body.
+  double height(std::vector<Vec3> places, Vec3* where) const {
+    places.push_back(centre_);
     for (size_t i = 0; i < corners_.size(); ++i)
       places.push_back(0.5 * (corners_[i] + corners_[(i + 1) % corners_.size()]));
     double height = 0.0, nearest = HUGE_VAL;
@@ -57,7 +64,7 @@ class Element {
       nearest = std::min(nearest, gap);
       if (gap < -shallow()) take(place, &height, where);
     }
-    if (nearest >= -shallow() && nearest < side_ && towards_body(&from)) take(from, &height, where);
+    if (nearest >= -shallow() && nearest < longest_ && towards_body(&from)) take(from, &height, where);
     return height;
   }
 
@@ -73,13 +80,15 @@ class Element {
     *where = deep;
   }
 
-  /// The place of the element nearby that is farthest inside the body.
+  /// The place of the element nearby that is farthest inside the body, to some hundredths of a side.
   Vec3 deepest(Vec3 point) const {
+    constexpr int turns = 30;
     body::SurfacePoint there = surface_.closest(point);
-    for (double step = std::max(-there.gap, 0.1 * side_); step > shallow();) {
+    double step = std::max(-there.gap, 0.1 * side_);
+    for (int turn = 0; turn < turns && step > shallow(); ++turn) {
       const Vec3 next = closest(point - step * there.normal);
       const body::SurfacePoint further = surface_.closest(next);
-      if (further.gap < there.gap) {
+      if (further.gap < there.gap - 0.1 * shallow()) {
         point = next;
         there = further;
       } else {
@@ -131,31 +140,97 @@ class Element {
 
   const body::Surface& surface_;
   std::vector<Vec3> corners_;
-  double side_ = 0.0;
+  double side_ = 0.0, longest_ = 0.0;
   Vec3 centre_ = Vec3::Zero(), normal_ = Vec3::Zero();
 };
 
 }  // namespace
 
+namespace {
+
+/// [element of all blocks] its corners
+std::vector<std::vector<Vec3>> corners_of(const mesh::Mesh& mesh, const std::vector<Vec3>& position) {
+  std::vector<std::vector<Vec3>> all;
+  for (const mesh::Block& block : mesh.blocks)
+    for (size_t i = 0; i < block.connectivity.size(); ++i) {
+      if (i % static_cast<size_t>(block.nodes_per_element) == 0) all.emplace_back();
+      all.back().push_back(position[block.connectivity[i]]);
+    }
+  return all;
+}
+
+/// [element] its places below vertices of the body that are off the fabric: where a tip is narrower than what lies
+/// between the places that are looked at in every element, they lead to it. Those outside the body are left out.
+std::vector<std::vector<Vec3>> below_vertices(const body::Surface& surface,
+                                              const std::vector<std::vector<Vec3>>& corners) {
+  body::TriangleMesh fabric;
+  std::vector<size_t> element;
+  double sides = 0.0;
+  for (size_t e = 0; e < corners.size(); ++e) {
+    const auto first = static_cast<int>(fabric.vertices.size());
+    fabric.vertices.insert(fabric.vertices.end(), corners[e].begin(), corners[e].end());
+    for (size_t i = 2; i < corners[e].size(); ++i) {
+      fabric.triangles.push_back({first, first + static_cast<int>(i) - 1, first + static_cast<int>(i)});
+      element.push_back(e);
+    }
+    sides += (corners[e][1] - corners[e][0]).norm();
+  }
+  std::vector<std::vector<Vec3>> places(corners.size());
+  const body::TriangleTree tree(fabric);
+  for (const Vec3& vertex : surface.triangles(sides / static_cast<double>(corners.size())).vertices) {
+    const body::TriangleTree::Hit hit = tree.closest(vertex);
+    const size_t e = element[static_cast<size_t>(hit.triangle)];
+    if (hit.distance < counts * Element(surface, corners[e]).side()) continue;
+    if (surface.closest(hit.point).gap < 0.0) places[e].push_back(hit.point);
+  }
+  return places;
+}
+
+/// Elements whose way from where they were placed to where they are, in a straight line, leads through the body.
+int passed_elements(const solve::Problem& problem, const std::vector<std::vector<Vec3>>& corners) {
+  const auto centre = [](const std::vector<Vec3>& of) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& corner : of) sum += corner;
+    return Vec3(sum / static_cast<double>(of.size()));
+  };
+  const std::vector<std::vector<Vec3>> placed = corners_of(*problem.mesh, problem.mesh->placed);
+  int passed = 0;
+  for (size_t e = 0; e < corners.size(); ++e) {
+    const Vec3 from = centre(placed[e]), way = centre(corners[e]) - from;
+    const double length = way.norm(), least = 0.01 * length;
+    double deepest = 0.0;
+    for (double at = 0.0; at < length;) {
+      const double gap = problem.surface->closest(from + at / length * way).gap;
+      deepest = std::min(deepest, gap);
+      at += std::max(std::abs(gap), least);
+    }
+    if (deepest < -least) ++passed;
+  }
+  return passed;
+}
+
+}  // namespace
+
 Pierced pierced_elements(const solve::Problem& problem, const solve::Fields& fields) {
-  constexpr double counts = 0.2, inside = -0.01;  // of the side; mm
+  constexpr double inside = -0.01;  // mm
   Pierced pierced;
-  const body::Surface* surface = problem.surface;
-  if (surface == nullptr) return pierced;
+  if (problem.surface == nullptr || problem.mesh->elements() == 0) return pierced;
+  const std::vector<std::vector<Vec3>> corners = corners_of(*problem.mesh, fields.position);
+  const std::vector<std::vector<Vec3>> places = below_vertices(*problem.surface, corners);
+  const auto presses = [](double pressure) { return pressure > 0.0; };
+  if (std::none_of(fields.pressure.begin(), fields.pressure.end(), presses))
+    pierced.passed = passed_elements(problem, corners);
+  size_t e = 0;
   for (const mesh::Block& block : problem.mesh->blocks) {
     const auto nodes = static_cast<size_t>(block.nodes_per_element);
-    for (size_t first = 0; first < block.connectivity.size(); first += nodes) {
-      std::vector<Vec3> corners;
+    for (size_t first = 0; first < block.connectivity.size(); first += nodes, ++e) {
       double nearest = HUGE_VAL;
-      for (size_t i = first; i < first + nodes; ++i) {
-        corners.push_back(fields.position[block.connectivity[i]]);
-        nearest = std::min(nearest, fields.gap[block.connectivity[i]]);
-      }
-      const Element element(*surface, std::move(corners));
+      for (size_t i = first; i < first + nodes; ++i) nearest = std::min(nearest, fields.gap[block.connectivity[i]]);
+      const Element element(*problem.surface, corners[e]);
       // What is held inside the body is told by itself.
-      if (nearest < inside || nearest > element.side()) continue;
+      if (nearest < inside || nearest > element.longest()) continue;
       Vec3 where = Vec3::Zero();
-      const double height = element.height(&where);
+      const double height = element.height(places[e], &where);
       const double share = element.side() > 0.0 ? height / element.side() : 0.0;
       if (share <= counts) continue;
       ++pierced.elements;

@@ -15,6 +15,8 @@ namespace {
 constexpr double agreement = 1e-8;
 /// Linear elements that converge more slowly are not where their order is known yet.
 constexpr double least_order = 0.95, most_order = 4.5, most_spread = 0.75;
+/// An order above that of linear elements that coarser meshes do not have is one of chance: its limit is too near.
+constexpr double sure_order = 2.5, sure_spread = 0.25;
 /// Of an order that no other meshes confirm.
 constexpr double unknown_spread = 0.5;
 /// Of the way from the finest mesh: orders that agree by chance make no limit better known than that.
@@ -79,6 +81,9 @@ Extrapolation extrapolate(const base::Reals& sizes, const base::Reals& values) {
   }
   if (order < least_order || order > most_order)
     return not_trusted(values, order, spread, "the observed order is " + order_text(order));
+  if (spread > sure_spread && order > sure_order)
+    return not_trusted(values, order, spread,
+                       "the observed order is " + order_text(order) + ", and not the same on coarser meshes");
   if (spread > most_spread)
     return not_trusted(values, order, spread, "the observed order is not the same on coarser meshes");
   const double value = limit(sizes, values, order), change = std::isnan(spread) ? unknown_spread : spread;
