@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "toile/body/triangle_tree.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using solve::Vec3;
 
-constexpr double counts = 0.2;  // of the side
+constexpr double told_from = 0.2;  // of the side
 
 /// The point of the triangle a, b, c that is closest to p. Of a triangle without area: that of its sides.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -48,6 +49,8 @@ class Element {
     normal_.stableNormalize();
   }
 
+  const std::vector<Vec3>& corners() const { return corners_; }
+  const Vec3& centre() const { return centre_; }
   double side() const { return side_; }        ///< mean: of a square of its area, mm
   double longest() const { return longest_; }  ///< side, mm
 
@@ -144,63 +147,59 @@ class Element {
   Vec3 centre_ = Vec3::Zero(), normal_ = Vec3::Zero();
 };
 
-}  // namespace
-
-namespace {
-
-/// [element of all blocks] its corners
-std::vector<std::vector<Vec3>> corners_of(const mesh::Mesh& mesh, const std::vector<Vec3>& position) {
-  std::vector<std::vector<Vec3>> all;
+/// Of all blocks, in their order.
+std::vector<Element> elements_of(const mesh::Mesh& mesh, const body::Surface& surface,
+                                 const std::vector<Vec3>& position) {
+  std::vector<Element> all;
   for (const mesh::Block& block : mesh.blocks)
-    for (size_t i = 0; i < block.connectivity.size(); ++i) {
-      if (i % static_cast<size_t>(block.nodes_per_element) == 0) all.emplace_back();
-      all.back().push_back(position[block.connectivity[i]]);
+    for (auto node = block.connectivity.begin(); node != block.connectivity.end(); node += block.nodes_per_element) {
+      std::vector<Vec3> corners;
+      std::transform(node, node + block.nodes_per_element, std::back_inserter(corners),
+                     [&](int n) { return position[n]; });
+      all.emplace_back(surface, std::move(corners));
     }
   return all;
 }
 
 /// [element] its places below vertices of the body that are off the fabric: where a tip is narrower than what lies
 /// between the places that are looked at in every element, they lead to it. Those outside the body are left out.
-std::vector<std::vector<Vec3>> below_vertices(const body::Surface& surface,
-                                              const std::vector<std::vector<Vec3>>& corners) {
+std::vector<std::vector<Vec3>> below_vertices(const body::Surface& surface, const std::vector<Element>& elements) {
   body::TriangleMesh fabric;
-  std::vector<size_t> element;
+  std::vector<size_t> of_triangle;
   double sides = 0.0;
-  for (size_t e = 0; e < corners.size(); ++e) {
+  for (size_t e = 0; e < elements.size(); ++e) {
+    const std::vector<Vec3>& corners = elements[e].corners();
     const auto first = static_cast<int>(fabric.vertices.size());
-    fabric.vertices.insert(fabric.vertices.end(), corners[e].begin(), corners[e].end());
-    for (size_t i = 2; i < corners[e].size(); ++i) {
-      fabric.triangles.push_back({first, first + static_cast<int>(i) - 1, first + static_cast<int>(i)});
-      element.push_back(e);
+    fabric.vertices.insert(fabric.vertices.end(), corners.begin(), corners.end());
+    for (int i = 2; i < static_cast<int>(corners.size()); ++i) {
+      fabric.triangles.push_back({first, first + i - 1, first + i});
+      of_triangle.push_back(e);
     }
-    sides += (corners[e][1] - corners[e][0]).norm();
+    sides += elements[e].side();
   }
-  std::vector<std::vector<Vec3>> places(corners.size());
+  std::vector<std::vector<Vec3>> places(elements.size());
   const body::TriangleTree tree(fabric);
-  for (const Vec3& vertex : surface.triangles(sides / static_cast<double>(corners.size())).vertices) {
+  // Of a body that a formula gives: vertices enough for what a quarter of an element misses.
+  const double size = 0.25 * sides / static_cast<double>(elements.size());
+  for (const Vec3& vertex : surface.triangles(size).vertices) {
     const body::TriangleTree::Hit hit = tree.closest(vertex);
-    const size_t e = element[static_cast<size_t>(hit.triangle)];
-    if (hit.distance < counts * Element(surface, corners[e]).side()) continue;
+    const size_t e = of_triangle[static_cast<size_t>(hit.triangle)];
+    if (hit.distance < told_from * elements[e].side()) continue;
     if (surface.closest(hit.point).gap < 0.0) places[e].push_back(hit.point);
   }
   return places;
 }
 
 /// Elements whose way from where they were placed to where they are, in a straight line, leads through the body.
-int passed_elements(const solve::Problem& problem, const std::vector<std::vector<Vec3>>& corners) {
-  const auto centre = [](const std::vector<Vec3>& of) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& corner : of) sum += corner;
-    return Vec3(sum / static_cast<double>(of.size()));
-  };
-  const std::vector<std::vector<Vec3>> placed = corners_of(*problem.mesh, problem.mesh->placed);
+int passed_elements(const std::vector<Element>& placed, const std::vector<Element>& elements,
+                    const body::Surface& surface) {
   int passed = 0;
-  for (size_t e = 0; e < corners.size(); ++e) {
-    const Vec3 from = centre(placed[e]), way = centre(corners[e]) - from;
+  for (size_t e = 0; e < elements.size(); ++e) {
+    const Vec3 from = placed[e].centre(), way = elements[e].centre() - from;
     const double length = way.norm(), least = 0.01 * length;
     double deepest = 0.0;
     for (double at = 0.0; at < length;) {
-      const double gap = problem.surface->closest(from + at / length * way).gap;
+      const double gap = surface.closest(from + at / length * way).gap;
       deepest = std::min(deepest, gap);
       at += std::max(std::abs(gap), least);
     }
@@ -214,32 +213,31 @@ int passed_elements(const solve::Problem& problem, const std::vector<std::vector
 Pierced pierced_elements(const solve::Problem& problem, const solve::Fields& fields) {
   constexpr double inside = -0.01;  // mm
   Pierced pierced;
-  if (problem.surface == nullptr || problem.mesh->elements() == 0) return pierced;
-  const std::vector<std::vector<Vec3>> corners = corners_of(*problem.mesh, fields.position);
-  const std::vector<std::vector<Vec3>> places = below_vertices(*problem.surface, corners);
+  const mesh::Mesh& mesh = *problem.mesh;
+  if (problem.surface == nullptr || mesh.elements() == 0) return pierced;
+  const std::vector<Element> elements = elements_of(mesh, *problem.surface, fields.position);
   const auto presses = [](double pressure) { return pressure > 0.0; };
   if (std::none_of(fields.pressure.begin(), fields.pressure.end(), presses))
-    pierced.passed = passed_elements(problem, corners);
+    pierced.passed = passed_elements(elements_of(mesh, *problem.surface, mesh.placed), elements, *problem.surface);
+  const std::vector<std::vector<Vec3>> places = below_vertices(*problem.surface, elements);
   size_t e = 0;
-  for (const mesh::Block& block : problem.mesh->blocks) {
-    const auto nodes = static_cast<size_t>(block.nodes_per_element);
-    for (size_t first = 0; first < block.connectivity.size(); first += nodes, ++e) {
+  for (const mesh::Block& block : mesh.blocks)
+    for (auto node = block.connectivity.begin(); node != block.connectivity.end();
+         node += block.nodes_per_element, ++e) {
       double nearest = HUGE_VAL;
-      for (size_t i = first; i < first + nodes; ++i) nearest = std::min(nearest, fields.gap[block.connectivity[i]]);
-      const Element element(*problem.surface, corners[e]);
+      for (int i = 0; i < block.nodes_per_element; ++i) nearest = std::min(nearest, fields.gap[node[i]]);
       // What is held inside the body is told by itself.
-      if (nearest < inside || nearest > element.longest()) continue;
+      if (nearest < inside || nearest > elements[e].longest()) continue;
       Vec3 where = Vec3::Zero();
-      const double height = element.height(places[e], &where);
-      const double share = element.side() > 0.0 ? height / element.side() : 0.0;
-      if (share <= counts) continue;
+      const double height = elements[e].height(places[e], &where);
+      const double share = elements[e].side() > 0.0 ? height / elements[e].side() : 0.0;
+      if (share <= told_from) continue;
       ++pierced.elements;
       if (share <= pierced.share) continue;
       pierced.height = height;
       pierced.share = share;
       pierced.where = where;
     }
-  }
   return pierced;
 }
 
