@@ -48,5 +48,15 @@ TEST_F(ClassTwo, FailsOnALegWithLessGirth) {
   EXPECT_TRUE(exists("out/compression-class.csv"));
 }
 
+// A sleeve four times too narrow presses with 76 +- 1.3 mmHg by a law far outside its tests: that proves no class.
+TEST_F(ClassTwo, IsNotDecidedOutsideTheTestsOfTheFabric) {
+  write_scene("narrow");
+  const Outcome outcome = toile("run scene.xml --output out");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("check \"class\" is not decided: 320 of 320 elements are outside the calibrated range "
+                        "of their fabric, and no error tells how wrong their pressure is"));
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -63,7 +63,7 @@ TEST_F(Tips, ThroughAnElementIsRefused) {
     const Outcome outcome = run("tip-15-degrees.xml", n);
     EXPECT_EQ(outcome.status, 4);
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("the body goes through "), HasSubstr("the elements do not see the body: "),
-                                   HasSubstr(" mm, 1 of their side, and at most 0.5 is allowed")));
+                                   HasSubstr(" mm, 1.00 times their side, and at most 0.5 is allowed")));
     EXPECT_TRUE(exists("results/results.exo"));
     EXPECT_TRUE(exists("results/body-force.csv"));
   }

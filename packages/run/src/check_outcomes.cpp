@@ -1,6 +1,7 @@
 #include "check_outcomes.hpp"
 
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <sstream>
 
@@ -68,11 +69,53 @@ CheckOutcome bounds_outcome(const scene::Check& check, const Values& values, con
   return outcome;
 }
 
-CheckOutcome class_outcome(const scene::Check& check, const PressureReport& pressure) {
+/// A result that the mesh cannot give is none.
+CheckOutcome unseen_outcome(const Pierced& pierced) {
+  CheckOutcome outcome{"the elements see the body", "what the body sticks out of elements", pierced.share, "sides",
+                       "at most 0.5"};
+  std::ostringstream text;
+  text.precision(3);
+  if (pierced.passed > 0)
+    text << "the garment presses on the body nowhere, and " << pierced.passed
+         << " of its elements lie beyond the body, seen from where they were placed: it went through between their "
+            "nodes, "
+            "or was led round it. Give the panel smaller elements (\"finer\") and the stage smaller steps (\"first "
+            "step\")";
+  else
+    text << "the elements do not see the body: between their nodes it sticks out of them by "
+         << (pierced.share < 1.0 ? "" : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
+         << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << std::fixed << std::setprecision(2)
+         << pierced.share
+         << " times their side, and at most 0.5 is allowed. What the fabric presses there, and what it carries, is not "
+            "known. Smaller elements help (\"finer\", or a list \"Sizes\" with \"mesher\" = \"free\") until they are "
+            "half as large "
+            "of the "
+            "radius of the tip or edge. Where it is sharp fabric is stretched without limit, and no mesh is fine "
+            "enough: "
+            "round it";
+  outcome.message = text.str();
+  return outcome;
+}
+
+/// What is said of a class where fabric is stretched beyond what its tests reached; empty: hardly any is.
+std::string extrapolated_fault(const Record& record) {
+  constexpr double few = 0.02;
+  const int elements = record.scene().garment().mesh.elements(), extrapolated = record.last().extrapolated;
+  if (extrapolated <= few * elements) return "";
+  return "is not decided: " + std::to_string(extrapolated) + " of " + std::to_string(elements) +
+         " elements are outside the calibrated range of their fabric, and no error tells how wrong their pressure is. "
+         "Is "
+         "the pattern too narrow for the body?";
+}
+
+CheckOutcome class_outcome(const scene::Check& check, const Record& record) {
+  const PressureReport& pressure = record.pressure();
   std::string problem;
   const double mmhg = base::mmhg_per_kpa * section_pressure(check.sections.front(), pressure, problem);
   CheckOutcome outcome{check.name, check.quantity, mmhg, "mmHg", scene::limits_text(*check.compression)};
   outcome.message = compression_fault(check, pressure);
+  if (const std::string fault = extrapolated_fault(record); outcome.message.empty() && !fault.empty())
+    outcome.message = "check \"" + check.name + "\" " + fault;
   outcome.holds = outcome.message.empty();
   return outcome;
 }
@@ -81,10 +124,11 @@ CheckOutcome class_outcome(const scene::Check& check, const PressureReport& pres
 
 std::vector<CheckOutcome> check_outcomes(const Record& record) {
   std::vector<CheckOutcome> outcomes;
+  if (record.pierced().unseen()) outcomes.push_back(unseen_outcome(record.pierced()));
   if (record.scene().checks().empty()) return outcomes;
   const Values values = plain_values(record);
   for (const scene::Check& check : record.scene().checks())
-    outcomes.push_back(check.compression ? class_outcome(check, record.pressure())
+    outcomes.push_back(check.compression ? class_outcome(check, record)
                                          : bounds_outcome(check, values, record.pressure()));
   return outcomes;
 }

@@ -7,7 +7,7 @@
 
 namespace toile::run {
 
-/// What became of one of the scene's checks.
+/// What became of a check.
 struct CheckOutcome {
   std::string name, quantity;
   double value = 0.0;   ///< not a number if the quantity does not exist
@@ -17,7 +17,8 @@ struct CheckOutcome {
   std::string message = {};  ///< why it does not hold; empty if it does
 };
 
-/// Of the last accepted step, in the scene's order.
+/// Of the last accepted step, in the scene's order; before them, if it does not hold, that the elements see the body
+/// (Pierced), which every scene with a body is checked for.
 std::vector<CheckOutcome> check_outcomes(const Record& record);
 
 }  // namespace toile::run

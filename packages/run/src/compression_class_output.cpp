@@ -1,5 +1,6 @@
 // compression-class.csv: the pressures at the levels beside that of the level whose compression class is checked.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -53,7 +54,9 @@ class CompressionClassTable : public Observer {
     for (const result::LevelRow& row : pressure.levels) {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
       const double value = base::mpa_to_mmhg(row.pressure_mean), error = base::mpa_to_mmhg(row.pressure_error),
-                   part = whole == nullptr ? none : 100.0 * row.pressure_mean / whole->pressure_mean;
+                   part = whole == nullptr || !(whole->pressure_mean > 0.0)
+                              ? none
+                              : 100.0 * row.pressure_mean / whole->pressure_mean;
       table.row_names.push_back(row.title());
       table.columns[0].values.push_back(value);
       table.columns[1].values.push_back(error);
@@ -71,8 +74,9 @@ class CompressionClassTable : public Observer {
   static std::string line(const result::LevelRow& row, double value, double error, double part,
                           const std::string& classes) {
     if (!row.reached()) return "  " + row.title() + "  not reached\n";
-    char numbers[96];
-    std::snprintf(numbers, sizeof numbers, " %8.2f +- %-6.2g %8.1f  ", value, error, part);
+    char numbers[96], share[32] = "-";
+    if (std::isfinite(part)) std::snprintf(share, sizeof share, "%.1f", part);
+    std::snprintf(numbers, sizeof numbers, " %8.2f +- %-6.2g %8s  ", value, error, share);
     std::string title = row.title();
     title.resize(std::max<size_t>(title.size(), 6), ' ');
     return "  " + title + numbers + classes + "\n";

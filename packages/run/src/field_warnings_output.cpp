@@ -71,7 +71,7 @@ std::string too_large_elements(const scene::Scene& scene, const solve::Fields& f
        << " in contact it turns by more than 40 degrees, up to " << most * 180.0 / M_PI << " at (" << where.x() << ", "
        << where.y() << ", " << where.z()
        << ") mm. Their pressures are too low, and the told errors may be too small; \"finer\" = "
-       << std::ceil(2.0 * most / too_much) / 2.0 << " would do";
+       << std::ceil(2.0 * most / too_much) / 2.0 << " at least";
   return text.str();
 }
 
@@ -106,9 +106,9 @@ std::string pierced_text(const Pierced& pierced) {
   std::ostringstream text;
   text.precision(3);
   text << "the body goes through " << pierced.elements << " elements between their nodes and sticks out of them by "
-       << (pierced.share < 1.0 ? "up to " : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
+       << (pierced.share < 1.0 ? "" : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
        << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << pierced.share
-       << " of their side: they are too large for its tip or edge there, on which the fabric presses as if "
+       << " times their side: they are too large for its tip or edge there, on which the fabric presses as if "
           "there "
           "were none. Pressures near it are wrong, whatever their told error";
   return text.str();

@@ -91,7 +91,7 @@ std::string text_of(const Record& record, const base::Timer& timer) {
   if (scene.surface() != nullptr)
     out << "\n    body " << vector_text(solve::contact_resultant(fields), report.balance.magnitude) << ", +- "
         << vector_text(solve::contact_resultant_error(fields), report.balance.magnitude)
-        << " if the errors of all pressures add up";
+        << " by the told errors of the pressures";
   for (size_t s = 0; s < report.balance.support.size(); ++s)
     out << "\n    support \"" << scene.problem().supports[s].name << "\" "
         << vector_text(report.balance.support[s], report.balance.magnitude)

@@ -78,7 +78,10 @@ double from_file(const Study& study, const Quantity& quantity, const Case& one) 
       for (std::size_t c = 0; c < study.axes[a].changes.size(); ++c)
         if (const base::CsvColumn* key = find_column(file, study.axes[a].changes[c].name))
           found = found && same(study.label(one, a, c), key->cells[row]);
-    if (found) return number(value->cells[row]);
+    if (!found) continue;
+    if (number(value->cells[row]) == 0.0)
+      throw base::InputError(file.path + ": the value of " + one.name + " is 0, and errors are told in % of it");
+    return number(value->cells[row]);
   }
   throw base::InputError(file.path + ": no row is that of " + one.name);
 }

@@ -70,6 +70,8 @@ std::vector<Quantity> read_quantities(const List& list, const fs::path& folder, 
     if (q.reference.size() > 1 && q.reference.size() != problems)
       entry.fail("reference", "must hold one value, or " + std::to_string(problems) +
                                   ": one for each value of the first change that is a problem");
+    if (std::find(q.reference.begin(), q.reference.end(), 0.0) != q.reference.end())
+      entry.fail("reference", "must not be 0: errors are told in % of it");
     if (const std::string& file = entry.word("reference file"); !file.empty())
       q.reference_file = (folder / file).lexically_normal().string();
     q.reference_column = entry.word("reference column");

@@ -47,11 +47,13 @@ Spec quantities_spec() {
            Spec("reaction", "Force of a support on the garment at the end, N.")
                .word("of", "Name of the support.")
                .choice("component", "", components),
-           Spec("body force", "Force of the body on the garment at the end, N.").choice("component", "", components),
+           Spec("body force", "Force of the body on the garment at the end, N.")
+               .choice("component", "Along which axis.", components),
            Spec("torque", "Torque of a support that turns, at the end, N mm.").word("of", "Name of the support."),
            Spec("figure", "A row of figures.csv, which every run writes.").word("of", "Its name: largest pressure.")})
       .reals("reference", "",
-             "Exact value, in the quantity's unit: one for all, or one for each value of the first change that is a "
+             "Exact value, in the quantity's unit, not 0: one for all, or one for each value of the first change that "
+             "is a "
              "problem. Empty: see below.",
              base::Reals{})
       .word("reference file",

@@ -16,7 +16,7 @@ struct Pierced {
 
   /// By more than half a side the nodes carry nothing of what the tip would: a cone of 45 degrees between four nodes
   /// sticks out by 0.7 of their side (its force 10 to 17 % too low), one of 15 degrees by 2.6 (60 to 90 %).
-  bool unseen() const { return share > 0.5; }
+  bool unseen() const { return share > 0.5 || passed > 0; }
 };
 
 /// Looked for at the centre and the middles of the sides of each element near the body, from the nearest of them on
