@@ -78,9 +78,10 @@ CheckOutcome unseen_outcome(const Pierced& pierced) {
   if (pierced.passed > 0)
     text << "the garment presses on the body nowhere, and " << pierced.passed
          << " of its elements lie beyond the body, seen from where they were placed: it went through between their "
-            "nodes, "
-            "or was led round it. Give the panel smaller elements (\"finer\") and the stage smaller steps (\"first "
-            "step\")";
+            "nodes, or slid "
+            "or was led round it. Is a seam forgotten? If not, give the panel smaller elements (\"finer\") and the "
+            "stage "
+            "smaller steps (\"first step\")";
   else
     text << "the elements do not see the body: between their nodes it sticks out of them by "
          << (pierced.share < 1.0 ? "" : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
