@@ -75,25 +75,20 @@ CheckOutcome unseen_outcome(const Pierced& pierced) {
                        "at most 0.5"};
   std::ostringstream text;
   text.precision(3);
-  if (pierced.passed > 0)
-    text << "the garment presses on the body nowhere, and " << pierced.passed
-         << " of its elements lie beyond the body, seen from where they were placed: it went through between their "
-            "nodes, or slid "
-            "or was led round it. Is a seam forgotten? If not, give the panel smaller elements (\"finer\") and the "
-            "stage "
-            "smaller steps (\"first step\")";
-  else
+  if (pierced.share > Pierced::most)
     text << "the elements do not see the body: between their nodes it sticks out of them by "
          << (pierced.share < 1.0 ? "" : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
          << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << std::fixed << std::setprecision(2)
          << pierced.share
          << " times their side, and at most 0.5 is allowed. What the fabric presses there, and what it carries, is not "
             "known. Smaller elements help (\"finer\", or a list \"Sizes\" with \"mesher\" = \"free\") until they are "
-            "half as large "
-            "of the "
-            "radius of the tip or edge. Where it is sharp fabric is stretched without limit, and no mesh is fine "
-            "enough: "
-            "round it";
+            "half as large as the radius of the tip or edge. Where it is sharp fabric is stretched without limit, and "
+            "no mesh is fine enough: round it";
+  else
+    text << "the garment presses on the body nowhere, and " << pierced.passed
+         << " of its elements lie beyond the body, seen from where they were placed: it went through between their "
+            "nodes, or slid or was led round it. Is a seam forgotten? If not, give the panel smaller elements "
+            "(\"finer\") and the stage smaller steps (\"first step\")";
   outcome.message = text.str();
   return outcome;
 }
@@ -105,8 +100,7 @@ std::string extrapolated_fault(const Record& record) {
   if (extrapolated <= few * elements) return "";
   return "is not decided: " + std::to_string(extrapolated) + " of " + std::to_string(elements) +
          " elements are outside the calibrated range of their fabric, and no error tells how wrong their pressure is. "
-         "Is "
-         "the pattern too narrow for the body?";
+         "Is the pattern too narrow for the body?";
 }
 
 CheckOutcome class_outcome(const scene::Check& check, const Record& record) {

@@ -2,6 +2,7 @@
 // outside its calibrated range, nodes inside the body, elements that it goes through, contact off the smooth surface.
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -107,9 +108,9 @@ std::string pierced_text(const Pierced& pierced) {
   text.precision(3);
   text << "the body goes through " << pierced.elements << " elements between their nodes and sticks out of them by "
        << (pierced.share < 1.0 ? "" : "more than ") << pierced.height << " mm at (" << pierced.where.x() << ", "
-       << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << pierced.share
-       << " times their side: they are too large for its tip or edge there, on which the fabric presses as if "
-          "there "
+       << pierced.where.y() << ", " << pierced.where.z() << ") mm, " << std::fixed << std::setprecision(2)
+       << pierced.share
+       << " times their side: they are too large for its tip or edge there, on which the fabric presses as if there "
           "were none. Pressures near it are wrong, whatever their told error";
   return text.str();
 }

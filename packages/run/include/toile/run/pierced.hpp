@@ -6,8 +6,8 @@ namespace toile::run {
 
 /// Elements that the body goes through. Contact is that of nodes: a tip, an edge or a bump between them is not felt.
 struct Pierced {
-  int elements =
-      0;  ///< out of which the body sticks by more than a fifth of their side, that of a square of their area
+  /// Out of which the body sticks by more than a fifth of their side, which is that of a square of their area.
+  int elements = 0;
   double height = 0.0;                      ///< mm, where its share of the side is largest
   double share = 0.0;                       ///< of the side
   solve::Vec3 where = solve::Vec3::Zero();  ///< mm
@@ -16,7 +16,8 @@ struct Pierced {
 
   /// By more than half a side the nodes carry nothing of what the tip would: a cone of 45 degrees between four nodes
   /// sticks out by 0.7 of their side (its force 10 to 17 % too low), one of 15 degrees by 2.6 (60 to 90 %).
-  bool unseen() const { return share > 0.5 || passed > 0; }
+  static constexpr double most = 0.5;
+  bool unseen() const { return share > most || passed > 0; }
 };
 
 /// Looked for at the centre and the middles of the sides of each element near the body, from the nearest of them on
