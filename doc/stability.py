@@ -26,8 +26,8 @@ VERDICTS = ["right", "ran", "warned", "refused", "wrong", "crashed", "endless"]
 
 def reason_of(text):
     """The first sentence of a reason, without the path of the file and without the numbers that differ from cell to cell."""
-    sentence = re.split(r"\. |; |\n", re.sub(r"^[./]*input/", "input/", text))[0]
-    return re.sub(r"\d+\.?\d*", "..", sentence).replace("|", "/")
+    sentence = re.split(r"\. |; |\n", re.sub(r"^\S*?input/", "input/", text))[0]
+    return re.sub(r"-?\d+\.?\d*(e[-+]\d+)?", "..", sentence).replace("|", "/")
 
 
 def part(folder):
