@@ -89,9 +89,7 @@ std::string text_of(const Record& record, const base::Timer& timer) {
   out << wrinkles_text(scene.problem(), fields);
   out << "  forces on the garment:";
   if (scene.surface() != nullptr)
-    out << "\n    body " << vector_text(solve::contact_resultant(fields), report.balance.magnitude) << ", +- "
-        << vector_text(solve::contact_resultant_error(fields), report.balance.magnitude)
-        << " by the told errors of the pressures";
+    out << "\n    body " << vector_text(solve::contact_resultant(fields), report.balance.magnitude);
   for (size_t s = 0; s < report.balance.support.size(); ++s)
     out << "\n    support \"" << scene.problem().supports[s].name << "\" "
         << vector_text(report.balance.support[s], report.balance.magnitude)
