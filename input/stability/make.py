@@ -276,8 +276,8 @@ def tips(all_fabrics):
     """A sheet drawn over a tip: what its sides carry has a limit on finer meshes, the pressure on a sharp tip has none.
 
     tips.csv is kept, not made: the same sheets on free meshes of 4 mm, at the tip of 0.25 to 1 mm ("Sizes", over 25 mm);
-    between 1 and 0.25 mm the force changes by 0.5 %. Over sharper tips there is no such state: on fine meshes the fabric
-    tears before the end of the way, and none is given.
+    between 1 and 0.25 mm the force changes by 0.5 %. Over sharper tips none is given: the rebar fabrics tear on fine
+    meshes before the end of the way, and the force of the others has not converged.
     """
     height = 60.0
     shapes = {"round 1 mm": ("ellipsoid", {"radius": math.sqrt(height), "half height": height})}
