@@ -1,7 +1,6 @@
 #include "toile/run/pierced.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>

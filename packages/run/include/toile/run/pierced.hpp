@@ -15,7 +15,7 @@ struct Pierced {
   int passed = 0;
 
   /// By more than half a side the nodes carry nothing of what the tip would: a cone of 45 degrees between four nodes
-  /// sticks out by 0.7 of their side (its force 10 to 17 % too low), one of 15 degrees by 2.6 (60 to 90 %).
+  /// sticks out by 0.7 of their side (its force 10 to 17 % too low), one of 15 degrees by 2.6.
   static constexpr double most = 0.5;
   bool unseen() const { return share > most || passed > 0; }
 };
